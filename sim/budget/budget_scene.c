@@ -50,9 +50,10 @@ static uint32_t texture_bytes(const struct zs_texture *t)
 /* Every array that there is. */
 static uint32_t mesh_bytes(const struct zs_mesh *m)
 {
-    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal ? 6u : 0u) + (m->vertex_rgb ? 3u : 0u) +
-                       (m->uv ? 4u : 0u);
-    const uint32_t t = 6u + (m->face_normal ? 6u : 0u) + (m->face_rgb ? 3u : 0u) + (m->face_raw ? 2u : 0u);
+    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal ? 6u : 0u) +
+                       (m->vertex_rgb ? 3u : 0u) + (m->uv ? 4u : 0u);
+    const uint32_t t = 6u + (m->face_normal ? 6u : 0u) + (m->face_rgb ? 3u : 0u) +
+                       (m->face_raw ? 2u : 0u);
     return RECORD_zs_mesh + v * m->n_verts + t * m->n_tris + (uint32_t)sizeof(struct zs_cluster) * m->n_clusters;
 }
 
@@ -181,14 +182,17 @@ static int of_model(struct budget *b, const struct budget_request *rq)
         status = sim_scene_build(&scene, &model, &view, &o);
     const uint32_t data = (uint32_t)scene.data_bytes;
     if (status == SIM_OK && has_effects(&scene.scene)) {
-        (void)fprintf(stderr, "%s: %s: materials with transparency, highlights or emission count as plain ones, but for their bytes\n",
+        (void)fprintf(stderr,
+                      "%s: %s: materials with transparency, highlights or emission count as plain "
+                      "ones, but for their bytes\n",
                       sim_program, o.model);
         o.opaque = 1;
         sim_scene_free(&scene);
         status = sim_scene_build(&scene, &model, &view, &o);
     }
     if (status == SIM_OK) {
-        set_config(b, rq, (uint16_t)o.size[0], (uint16_t)o.size[1], sim_scene_varyings(&scene.scene), mapping(rq));
+        set_config(b, rq, (uint16_t)o.size[0], (uint16_t)o.size[1],
+                   sim_scene_varyings(&scene.scene), mapping(rq));
         if (view.orthographic)
             b->config.depth = &zs_depth_linear;
         status = count_scene(b, rq, o.model, &scene.scene, &scene.camera);

@@ -81,11 +81,14 @@ static void set_config(struct job *job)
     const uint64_t n = job->model.n_tris;
     const int clips = may_clip(&job->view, &job->model);
     static const struct zs_depth *const depths[SIM_DEPTH_E5M11 + 1] = {
-        [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
-        [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
+        [SIM_DEPTH_RECIP] = &zs_depth_recip,
+        [SIM_DEPTH_LINEAR] = &zs_depth_linear,
+        [SIM_DEPTH_E3M13] = &zs_depth_e3m13,
+        [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
         [SIM_DEPTH_E5M11] = &zs_depth_e5m11
     };
-    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], sim_scene_varyings(&job->scene.scene));
+    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1],
+                     sim_scene_varyings(&job->scene.scene));
     c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
     c->max_tris = pool_size(o->tris, clips ? n * PIECES : n, 1);
     c->max_verts = pool_size(o->verts, job->scene.n_verts + (clips ? n * NEW_VERTS : 0), 3);

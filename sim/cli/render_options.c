@@ -24,79 +24,111 @@ static const struct sim_option table[] = {
       .help = "depth keys, 16-bit PGM; 65535: nothing drawn" },
     { "--id-out", SIM_OPTION_FILE, AT(id_out), .value = "I.u32",
       .help = "little-endian uint32 a pixel: triangle in file order + 1; 0: none" },
-    { "--stats", SIM_OPTION_FILE, AT(stats), .value = "S.json", .help = "what the frame took, an object of numbers" },
-    { "--reference", SIM_OPTION_FLAG, AT(reference), .help = "all of it from the double-precision reference instead" },
-    { "--compare", SIM_OPTION_FLAG, AT(compare), .help = "draw both, print how far the frame is from the reference" },
+    { "--stats", SIM_OPTION_FILE, AT(stats), .value = "S.json",
+      .help = "what the frame took, an object of numbers" },
+    { "--reference", SIM_OPTION_FLAG, AT(reference),
+      .help = "all of it from the double-precision reference instead" },
+    { "--compare", SIM_OPTION_FLAG, AT(compare),
+      .help = "draw both, print how far the frame is from the reference" },
     { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS,
-      .help = "false colours and a legend in --out in place of the frame. depth: distance; complexity: how many "
-              "triangles cover a pixel, hidden ones too; overdraw: how often it was written; tested: how often a key "
-              "was compared there; strips: set-ups of each strip, as bars. --stats has the sum (frame)" },
+      .help = "false colours and a legend in --out in place of the frame. depth: distance; "
+              "complexity: how many "
+              "triangles cover a pixel, hidden ones too; overdraw: how often it was written; "
+              "tested: how often a key "
+              "was compared there; strips: set-ups of each strip, as bars. --stats has the sum "
+              "(frame)" },
     { "Frame", SIM_OPTION_HEADING },
     { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, .help = "px (240x240)" },
-    { "--strip", SIM_OPTION_COUNT, AT(strip), .value = "ROWS", .help = "rows to a strip, at least 1 (16)" },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), .value = "ROWS",
+      .help = "rows to a strip, at least 1 (16)" },
     { "--depth", SIM_OPTION_CHOICE, AT(depth), .words = "recip|linear|e3m13|e4m12|e5m11|float",
-      .help = "mapping of depth keys (float: e3m13 while far <= 128 near, e4m12 while far <= 32768 near, else e5m11; "
+      .help = "mapping of depth keys (float: e3m13 while far <= 128 near, e4m12 while far <= 32768 "
+              "near, else e5m11; "
               "orthographic views: linear)" },
-    { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, .help = "bits of a depth key (16)" },
+    { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16,
+      .help = "bits of a depth key (16)" },
     { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8", .help = "sub-pixel bits (8)" },
     { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS,
-      .help = "how hidden surfaces are removed (zbuffer); zsim gallery shows what each gets right and takes" },
+      .help = "how hidden surfaces are removed (zbuffer); zsim gallery shows what each gets right "
+              "and takes" },
     { "--tris", SIM_OPTION_COUNT, AT(tris), 0, 1, ZS_POOL_MAX,
-      .help = "triangles that memory has room for, {range}; few take more passes for the same frame (ample)" },
-    { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, .help = "vertices that it has room for (ample)" },
+      .help = "triangles that memory has room for, {range}; few take more passes for the same "
+              "frame (ample)" },
+    { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX,
+      .help = "vertices that it has room for (ample)" },
     { "--buffers", SIM_OPTION_COUNT, AT(buffers), .words = "1|2", .help = "strip buffers (2)" },
     { "--fast", SIM_OPTION_TEXT, AT(fast_names), .value = "LIST", .list = sim_fast_list,
-      .help = "accelerators to draw with, the same frame: all, none, names with commas between, or all but some, as "
+      .help = "accelerators to draw with, the same frame: all, none, names with commas between, or "
+              "all but some, as "
               "all-tiles-touch (all). There are:" },
     { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX,
-      .help = "draw by N threads, {range}, each with an arena of its own: the same frame; --stats has draw_us then, "
-              "the time that drawing took, and draw_busiest_us, that of a processor for the thread that took most" },
+      .help = "draw by N threads, {range}, each with an arena of its own: the same frame; --stats "
+              "has draw_us then, "
+              "the time that drawing took, and draw_busiest_us, that of a processor for the thread "
+              "that took most" },
     { "Panel", SIM_OPTION_HEADING },
     SIM_PANEL_OPTIONS(struct sim_options, panel,
-                      "the frame goes through this panel's driver and the model of its controller into --out: what "
+                      "the frame goes through this panel's driver and the model of its controller "
+                      "into --out: what "
                       "its viewer sees. --size is its picture's then. There are:"),
     { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, .value = "HZ",
-      .help = "clock of its wire, for the time in --stats (62500000; grey and one-bit panels 10000000)" },
+      .help = "clock of its wire, for the time in --stats (62500000; grey and one-bit panels "
+              "10000000)" },
     { "Camera, in the model's units; what is not given frames the model", SIM_OPTION_HEADING },
     { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye), .help = "where it stands" },
     { "--at", SIM_OPTION_VECTOR, AT(at), AT(has_at), .help = "what it looks at" },
     { "--up", SIM_OPTION_VECTOR, AT(up), .help = "what is up in the picture (0,1,0)" },
     { "--fov", SIM_OPTION_NUMBER, AT(fov), .value = "DEGREES",
-      .help = "field of view, vertical, between 0 and 180 (45); orthographic views show as much at --at" },
+      .help = "field of view, vertical, between 0 and 180 (45); orthographic views show as much at "
+              "--at" },
     { "--near", SIM_OPTION_NUMBER, AT(near_z), AT(has_near),
       .help = "distance along the view at which it begins; in perspective more than 0" },
     { "--far", SIM_OPTION_NUMBER, AT(far_z), AT(has_far), .help = "distance at which it ends" },
     { "--projection", SIM_OPTION_CHOICE, AT(projection), .words = "perspective|orthographic",
       .help = "does what is far look smaller? (perspective)" },
     { "Look", SIM_OPTION_HEADING },
-    { "--shade", SIM_OPTION_CHOICE, AT(shade), .words = "id|flat|smooth|textured|textured-flat|unlit",
-      .help = "id: a colour for each triangle's number, flat: light of its face, smooth: of its vertices, textured: "
-              "texels times smooth light, textured-flat: times a face's, unlit: texels alone; of these, faces without "
-              "a texture are smooth, flat, raw (as zsim convert: textured if the model has a texture, else smooth if "
+    { "--shade", SIM_OPTION_CHOICE, AT(shade),
+      .words = "id|flat|smooth|textured|textured-flat|unlit",
+      .help = "id: a colour for each triangle's number, flat: light of its face, smooth: of its "
+              "vertices, textured: "
+              "texels times smooth light, textured-flat: times a face's, unlit: texels alone; of "
+              "these, faces without "
+              "a texture are smooth, flat, raw (as zsim convert: textured if the model has a "
+              "texture, else smooth if "
               "the file has normals, else flat)" },
     { "--mesh", SIM_OPTION_CHOICE, AT(mesh), .words = "convert|file",
-      .help = "convert: the mesh that zsim convert writes, which firmware draws; file: faces as the file has them, in "
+      .help = "convert: the mesh that zsim convert writes, which firmware draws; file: faces as "
+              "the file has them, in "
               "its order, on a grid of 24 bits, to measure the renderer by itself (convert)" },
-    { "--precise", SIM_OPTION_FLAG, AT(precise), .help = "24 bits a coordinate instead of 16, as of zsim convert" },
+    { "--precise", SIM_OPTION_FLAG, AT(precise),
+      .help = "24 bits a coordinate instead of 16, as of zsim convert" },
     { "--style", SIM_OPTION_CHOICE, AT(style), .words = SIM_STYLE_WORDS,
-      .help = "solid: its faces; or wire: the model's edges alone, hidden-line: those that its faces do not hide, "
+      .help = "solid: its faces; or wire: the model's edges alone, hidden-line: those that its "
+              "faces do not hide, "
               "points: its vertices, in white or the --color (solid)" },
-    { "--line-width", SIM_OPTION_COUNT, AT(line_width), 0, 1, 64, .help = "px, of lines and points (1)" },
+    { "--line-width", SIM_OPTION_COUNT, AT(line_width), 0, 1, 64,
+      .help = "px, of lines and points (1)" },
     { "--texture", SIM_OPTION_FILE, AT(texture), .value = "T.png",
-      .help = "one picture (PNG or JPEG) for all faces in place of the model's own. A side that is no power of two up "
-              "to 1024 becomes the nearest one by averaging areas (texture_resampled of --stats); alpha is dropped" },
+      .help = "one picture (PNG or JPEG) for all faces in place of the model's own. A side that is "
+              "no power of two up "
+              "to 1024 becomes the nearest one by averaging areas (texture_resampled of --stats); "
+              "alpha is dropped" },
     { "--texture-format", SIM_OPTION_CHOICE, AT(texel), AT(has_texel), .words = "565|pal8|pal4",
-      .help = "how texels are stored: RGB565, or 256 or 16 colours of it (as zsim convert: the smallest that is good "
+      .help = "how texels are stored: RGB565, or 256 or 16 colours of it (as zsim convert: the "
+              "smallest that is good "
               "enough; with --mesh file 565)" },
     { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), .words = "repeat|clamp",
       .help = "beyond the picture's border (as the model says, else repeat)" },
     { "--cull", SIM_OPTION_CHOICE, AT(cull), .words = "back|front|none",
       .help = "which sides of faces are not drawn (back)" },
     { "--background", SIM_OPTION_RGB, AT(background), .help = "where nothing is drawn (000000)" },
-    { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), .help = "one colour for the whole model" },
+    { "--color", SIM_OPTION_RGB, AT(color), AT(has_color),
+      .help = "one colour for the whole model" },
     { "--light", SIM_OPTION_TEXTS, AT(effects.light_texts), .value = "LIGHT",
-      .help = "x,y,z: direction towards the light (over the camera's left shoulder). Or TYPE:X,Y,Z[:RRGGBB[:RANGE]], "
-              "which may be given four times: dir, in that direction, point, at that place, or spot, there and aimed "
+      .help = "x,y,z: direction towards the light (over the camera's left shoulder). Or "
+              "TYPE:X,Y,Z[:RRGGBB[:RANGE]], "
+              "which may be given four times: dir, in that direction, point, at that place, or "
+              "spot, there and aimed "
               "at the middle of the model; beyond RANGE a point or spot has no effect" },
     { "--ambient", SIM_OPTION_NUMBER, AT(ambient), 0, 0, 1, .value = "A",
       .help = "how bright a face is that no light falls on (0.25)" },
@@ -113,7 +145,8 @@ void sim_options_help(void)
 {
     static const struct sim_help help = {
         "zsim render MODEL --out FRAME.png [options]",
-        "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards do: what zsim convert "
+        "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards "
+        "do: what zsim convert "
         "writes. What the file has that is not carried over is named.",
         "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.",
     };
@@ -247,7 +280,8 @@ static int check_effects(const struct sim_options *o)
         return sim_refuse(o->model, 0, "--samples 4: the frame may be at most %d px wide and high", ZS_SIZE_MAX / 2);
     if (e->n_lights > 0 && o->has_light)
         return sim_usage("--light x,y,z is the only light: write it as dir:x,y,z beside others");
-    if (lit && o->shade != SIM_SHADE_FLAT && o->shade != SIM_SHADE_SMOOTH && o->shade != SIM_SHADE_DEFAULT)
+    if (lit && o->shade != SIM_SHADE_FLAT && o->shade != SIM_SHADE_SMOOTH &&
+        o->shade != SIM_SHADE_DEFAULT)
         return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat or smooth");
     if ((e->per_pixel || e->specular_text != NULL) && o->shade != SIM_SHADE_SMOOTH)
         return sim_usage("--specular and --per-pixel need --shade smooth");

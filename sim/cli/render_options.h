@@ -18,7 +18,7 @@ enum sim_shade {
     SIM_SHADE_TEXTURED,      /* texels times smooth light; faces without a texture: smooth */
     SIM_SHADE_TEXTURED_FLAT, /* texels times flat light; others: flat */
     SIM_SHADE_UNLIT,         /* texels; others: their colour */
-    SIM_SHADE_DEFAULT        /* textured, smooth or flat, by what the file holds: sim_scene_load chooses */
+    SIM_SHADE_DEFAULT /* textured, smooth or flat, by what the file holds: sim_scene_load chooses */
 };
 enum sim_depth {
     SIM_DEPTH_RECIP,
@@ -58,14 +58,14 @@ struct sim_options {
     int style;              /* enum sim_style */
     long line_width;        /* px, of lines and points */
     const char *texture;    /* a file for all faces; NULL: the model's own */
-    enum sim_texel texel;   /* how textures are stored; without has_texel the smallest that is good enough */
+    enum sim_texel
+        texel; /* how textures are stored; without has_texel the smallest that is good enough */
     int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */
     struct zs_rgb background, color;
-    int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap,
-        has_texel; /* flags */
-    int precise;                          /* flag: 24 bits a coordinate */
-    int opaque;                           /* flag: alpha, highlights and emission do nothing */
-    int shade_chosen;                     /* flag: shade is what sim_scene_load chose */
+    int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap, has_texel; /* flags */
+    int precise;      /* flag: 24 bits a coordinate */
+    int opaque;       /* flag: alpha, highlights and emission do nothing */
+    int shade_chosen; /* flag: shade is what sim_scene_load chose */
     int reference, compare, help;                                 /* flags */
     struct sim_panel_wish panel; /* size is its picture's, where it has a name */
     long threads;                /* 0: not given */

@@ -40,7 +40,8 @@ static void fill(struct ref_triangle *to, const struct sim_model *model, uint32_
     to->raw = o->shade == SIM_SHADE_ID ? (uint16_t)(t + 1u) : zs_rgb565(rgb.r, rgb.g, rgb.b);
     to->shade = texture != NULL ? texture_shade(o) : plain_shade(o);
     to->texture = texture != NULL ? &textures[texture - model->texture] : NULL;
-    const int two_sided = o->mesh == SIM_MESH_CONVERT && model->material[model->tri_material[t]].two_sided;
+    const int two_sided = o->mesh == SIM_MESH_CONVERT &&
+                          model->material[model->tri_material[t]].two_sided;
     to->cull = o->cull == ZS_CULL_BACK    ? two_sided ? REF_CULL_NONE : REF_CULL_BACK
                : o->cull == ZS_CULL_FRONT ? REF_CULL_FRONT
                                           : REF_CULL_NONE;

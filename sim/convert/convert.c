@@ -60,7 +60,6 @@ static int read_model(struct sim_conversion *c)
     return status == SIM_OK ? sim_converted_make(&c->made, &c->model, &c->options) : status;
 }
 
-
 /* ---- Files ----------------------------------------------------------------------------------- */
 
 /* DIR/NAME.c, .h and the map; malloc'ed, NULL where it is not wanted. */

@@ -32,25 +32,29 @@ static const struct sim_option table[] = {
     { "Output", SIM_OPTION_HEADING },
     { "--name", SIM_OPTION_TEXT, AT(name), .use = SHOWN,
       .help = "what every name in the files begins with; a C identifier. It is needed" },
-    { "--out", SIM_OPTION_PATH, AT(out), .value = "DIR", .help = "the folder, made if there is none. It is needed" },
+    { "--out", SIM_OPTION_PATH, AT(out), .value = "DIR",
+      .help = "the folder, made if there is none. It is needed" },
     { "Mesh", SIM_OPTION_HEADING },
     { "--shade", SIM_OPTION_CHOICE, AT(look), .use = FOR_MODELS | SHOWN,
       .words = "flat|smooth|textured|textured-flat|unlit|raw",
-      .help =
-          "the shader, and with it what is written: normals, texture coordinates, colours (textured if the model has "
-          "a texture, else smooth if the file has normals, else flat). textured is smooth too; parts without texture "
-          "are smooth, flat or raw. unlit: texels as they are; raw: colours as they are" },
-    { "--unit", SIM_OPTION_NUMBER, AT(unit), AT(has_unit), UNIT_MIN, UNIT_MAX, .use = FOR_MODELS | SHOWN,
-      .help =
-          "world units to a unit of the model (a power of ten, so that it spans 1000 or more; the camera stands on "
-          "whole world units)" },
+      .help = "the shader, and with it what is written: normals, texture coordinates, colours "
+              "(textured if the model has "
+              "a texture, else smooth if the file has normals, else flat). textured is smooth too; "
+              "parts without texture "
+              "are smooth, flat or raw. unlit: texels as they are; raw: colours as they are" },
+    { "--unit", SIM_OPTION_NUMBER, AT(unit), AT(has_unit), UNIT_MIN, UNIT_MAX,
+      .use = FOR_MODELS | SHOWN,
+      .help = "world units to a unit of the model (a power of ten, so that it spans 1000 or more; "
+              "the camera stands on "
+              "whole world units)" },
     { "--center", SIM_OPTION_CHOICE, AT(keep_origin), .use = FOR_MODELS | SHOWN, .words = "yes|no",
-      .help =
-          "yes: 0,0,0 is the middle of the model's box; no: the file's own origin, which costs precision where that "
-          "is not the middle (yes)" },
+      .help = "yes: 0,0,0 is the middle of the model's box; no: the file's own origin, which costs "
+              "precision where that "
+              "is not the middle (yes)" },
     { "--precise", SIM_OPTION_FLAG, AT(precise), .use = FOR_MODELS | SHOWN,
       .help = "24 bits a coordinate instead of 16" },
-    { "--face-normals", SIM_OPTION_CHOICE, AT(no_face_normals), .use = FOR_MODELS | SHOWN, .words = "yes|no",
+    { "--face-normals", SIM_OPTION_CHOICE, AT(no_face_normals), .use = FOR_MODELS | SHOWN,
+      .words = "yes|no",
       .help = "with flat shading: 6 bytes a triangle, or work at run time (yes)" },
     { "--cull", SIM_OPTION_CHOICE, AT(cull), .use = FOR_MODELS | SHOWN, .words = "back|front|none",
       .help = "which sides are not drawn (back)" },
@@ -59,7 +63,8 @@ static const struct sim_option table[] = {
     { "--bvh", SIM_OPTION_FLAG, AT(bvh), .use = FOR_MODELS | SHOWN,
       .help = "a hierarchy of spheres for zs_method_raycast, 16 bytes a node" },
     { "--map", SIM_OPTION_PATH, AT(map), .use = FOR_MODELS, .value = "F.u32",
-      .help = "for each triangle written, in order, its number in the file + 1, as in zsim render --id-out; "
+      .help = "for each triangle written, in order, its number in the file + 1, as in zsim render "
+              "--id-out; "
               "little-endian uint32" },
     { "Textures", SIM_OPTION_HEADING },
     { "--texture", SIM_OPTION_PATH, AT(texture), .use = FOR_MODELS | SHOWN,
@@ -68,13 +73,16 @@ static const struct sim_option table[] = {
       .help = "what lies beyond a picture's edge (file: as the model's says)" },
     { "--texture-size", SIM_OPTION_SIZE, AT(texture_size), .use = SHOWN,
       .help = "most texels each way, powers of two up to 1024 (256x256)" },
-    { "--texture-format", SIM_OPTION_CHOICE, AT(texels), .use = SHOWN, .words = "auto|565|pal8|pal4",
-      .help = "2, 1 or 1/2 byte a texel; 4444, pal8a or pal4a where a material uses its alpha (auto: the smallest "
+    { "--texture-format", SIM_OPTION_CHOICE, AT(texels), .use = SHOWN,
+      .words = "auto|565|pal8|pal4",
+      .help = "2, 1 or 1/2 byte a texel; 4444, pal8a or pal4a where a material uses its alpha "
+              "(auto: the smallest "
               "that is as good as 565, or whose PSNR is 36 dB or more)" },
     { "--dither", SIM_OPTION_FLAG, AT(dither), .use = SHOWN,
       .help = "spread what a format cannot show over the neighbours" },
     { "--mipmap", SIM_OPTION_FLAG, AT(mipmap), .use = SHOWN,
-      .help = "coarser levels too, for the mipmap shaders of zs_filter.h: means of the picture's values as the file "
+      .help = "coarser levels too, for the mipmap shaders of zs_filter.h: means of the picture's "
+              "values as the file "
               "has them, without gamma; a third more texels" },
     { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
@@ -86,8 +94,10 @@ void sim_convert_help(void)
 {
     static const struct sim_help help = {
         "zsim convert MODEL --name NAME --out DIR [options]",
-        "Turns a model (OBJ, glTF, STL, PLY and what else assimp reads) or a picture (PNG, JPEG) into const C for "
-        "firmware: DIR/NAME.h and DIR/NAME.c, and prints what they take, and what the file has that is not carried "
+        "Turns a model (OBJ, glTF, STL, PLY and what else assimp reads) or a picture (PNG, JPEG) "
+        "into const C for "
+        "firmware: DIR/NAME.h and DIR/NAME.c, and prints what they take, and what the file has "
+        "that is not carried "
         "over.",
         "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.",
     };

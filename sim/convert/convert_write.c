@@ -216,11 +216,14 @@ static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct 
 static const char *shader_name(const struct sim_paint *p)
 {
     static const char *const names[3][SIM_SHADER_TEXTURE_SMOOTH + 1] = {
-        [SIM_ALPHA_OPAQUE] = { "zs_shade_raw", "zs_shade_flat", "zs_shade_smooth", "zs_shade_texture",
-                               "zs_shade_texture_flat", "zs_shade_texture_smooth" },
-        [SIM_ALPHA_MASK] = { "", "", "", "zs_shade_cutout", "zs_shade_cutout_flat", "zs_shade_cutout_smooth" },
-        [SIM_ALPHA_BLEND] = { "zs_blend_raw", "zs_blend_flat", "zs_blend_smooth", "zs_blend_texture",
-                              "zs_blend_texture_flat", "zs_blend_texture_smooth" },
+        [SIM_ALPHA_OPAQUE] = { "zs_shade_raw", "zs_shade_flat", "zs_shade_smooth",
+                               "zs_shade_texture", "zs_shade_texture_flat",
+                               "zs_shade_texture_smooth" },
+        [SIM_ALPHA_MASK] = { "", "", "", "zs_shade_cutout", "zs_shade_cutout_flat",
+                             "zs_shade_cutout_smooth" },
+        [SIM_ALPHA_BLEND] = { "zs_blend_raw", "zs_blend_flat", "zs_blend_smooth",
+                              "zs_blend_texture", "zs_blend_texture_flat",
+                              "zs_blend_texture_smooth" },
     };
     if (p->lit)
         return p->shader == SIM_SHADER_SMOOTH ? "zs_shade_lit" : "zs_shade_lit_face";
@@ -274,9 +277,10 @@ static const char *attrs_name(const struct sim_pieces *p)
 
 static const char *format_name(enum sim_texels format)
 {
-    static const char *const names[] = { [SIM_TEXELS_565] = "565",     [SIM_TEXELS_PAL8] = "pal8",
-                                         [SIM_TEXELS_PAL4] = "pal4",   [SIM_TEXELS_4444] = "4444",
-                                         [SIM_TEXELS_PAL8A] = "pal8a", [SIM_TEXELS_PAL4A] = "pal4a" };
+    static const char *const names[] = {
+        [SIM_TEXELS_565] = "565",   [SIM_TEXELS_PAL8] = "pal8",   [SIM_TEXELS_PAL4] = "pal4",
+        [SIM_TEXELS_4444] = "4444", [SIM_TEXELS_PAL8A] = "pal8a", [SIM_TEXELS_PAL4A] = "pal4a"
+    };
     return names[format];
 }
 
@@ -317,8 +321,8 @@ static void material_object(FILE *f, const char *name, const struct sim_paint *p
     static const char *const culls[] = { "ZS_CULL_BACK", "ZS_CULL_FRONT", "ZS_CULL_NONE" };
     const enum sim_form form = sim_paint_form(p);
     (void)fprintf(f, "    %s{ .shader = &%s, .rgb = { %d, %d, %d }, .cull = %s",
-                  form != SIM_FORM_MATERIAL ? "{ .material = " : "", shader_name(p), p->rgb.r, p->rgb.g, p->rgb.b,
-                  culls[p->cull]);
+                  form != SIM_FORM_MATERIAL ? "{ .material = " : "", shader_name(p), p->rgb.r,
+                  p->rgb.g, p->rgb.b, culls[p->cull]);
     if (p->texture != SIM_NO_TEXTURE)
         (void)fprintf(f, ", .texture = &%s_texture[%" PRIu32 "]", name, p->texture);
     if (form == SIM_FORM_BLEND)
@@ -326,11 +330,11 @@ static void material_object(FILE *f, const char *name, const struct sim_paint *p
     if (form == SIM_FORM_LIT)
         (void)fprintf(f, " },\n      .lighting = &%s_lighting", name);
     if (p->power > 0)
-        (void)fprintf(f, ", .shine = &%s_shine_%u, .specular = { %d, %d, %d }", name, p->power, p->specular.r,
-                      p->specular.g, p->specular.b);
+        (void)fprintf(f, ", .shine = &%s_shine_%u, .specular = { %d, %d, %d }", name, p->power,
+                      p->specular.r, p->specular.g, p->specular.b);
     if (form == SIM_FORM_LIT)
-        (void)fprintf(f, ", .emission = { %d, %d, %d }%s", p->emission.r, p->emission.g, p->emission.b,
-                      p->two_sided ? ", .flags = ZS_LIT_TWO_SIDED" : "");
+        (void)fprintf(f, ", .emission = { %d, %d, %d }%s", p->emission.r, p->emission.g,
+                      p->emission.b, p->two_sided ? ", .flags = ZS_LIT_TWO_SIDED" : "");
     (void)fputs(" },", f);
     if (p->name[0] != '\0') {
         (void)fputs(" /* ", f);
@@ -347,14 +351,19 @@ static void lighting(FILE *f, const struct sim_conversion *c)
     uint8_t power[128];
     const uint32_t n = sim_paint_powers(power, &c->made.pieces);
     (void)fprintf(f,
-                  "\nstruct zs_lamp %s_lamp[1] = {\n    { .rgb = { 255, 255, 255 }, .strength = %uu, .dir = { 400000000, "
-                  "700000000, 709169576 } }\n};\nconst struct zs_lighting %s_lighting = { .lamp = %s_lamp, .n_lamps = 1, "
+                  "\nstruct zs_lamp %s_lamp[1] = {\n    { .rgb = { 255, 255, 255 }, .strength = "
+                  "%uu, .dir = { 400000000, "
+                  "700000000, 709169576 } }\n};\nconst struct zs_lighting %s_lighting = { .lamp = "
+                  "%s_lamp, .n_lamps = 1, "
                   ".ambient = { %d, %d, %d } };\n",
-                  name, SIM_LIT_STRENGTH, name, name, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT);
+                  name, SIM_LIT_STRENGTH, name, name, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT,
+                  SIM_LIT_AMBIENT);
     for (uint32_t i = 0; i < n; i++) {
         struct zs_shine shine;
         (void)zs_shine_set(&shine, power[i]);
-        (void)fprintf(f, "static const struct zs_shine %s_shine_%u = { .scale = %" PRIu32 "u, .least = %u, .level = {\n",
+        (void)fprintf(f,
+                      "static const struct zs_shine %s_shine_%u = { .scale = %" PRIu32
+                      "u, .least = %u, .level = {\n",
                       name, power[i], shine.scale, shine.least);
         struct row row = { f, 0 };
         for (size_t k = 0; k < sizeof shine.level; k++)
@@ -371,8 +380,8 @@ static void materials(FILE *f, const struct sim_conversion *c, enum sim_form for
         return;
     if (form == SIM_FORM_LIT)
         lighting(f, c);
-    (void)fprintf(f, "\nconst struct %s %s_%s[%" PRIu32 "] = {\n", forms[form].type, c->options.name, forms[form].array,
-                  n);
+    (void)fprintf(f, "\nconst struct %s %s_%s[%" PRIu32 "] = {\n", forms[form].type,
+                  c->options.name, forms[form].array, n);
     for (uint32_t i = 0; i < p->n_paints; i++)
         if (sim_paint_form(&p->paint[i]) == form)
             material_object(f, c->options.name, &p->paint[i]);
@@ -414,7 +423,8 @@ static void textures(FILE *f, const struct sim_conversion *c)
     }
     if (c->made.n_skins == 0)
         return;
-    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name, c->made.n_skins);
+    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name,
+                  c->made.n_skins);
     for (uint32_t i = 0; i < c->made.n_skins; i++)
         texture_object(f, name, i, &c->made.skin[i]);
     (void)fputs("};\n", f);
@@ -432,12 +442,15 @@ static void meshes(FILE *f, const struct sim_conversion *c)
     (void)fputs("};\n", f);
     for (size_t form = 0; form < N_FORMS; form++)
         materials(f, c, (enum sim_form)form);
-    (void)fprintf(f, "\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name, p->n_pieces);
+    (void)fprintf(f, "\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name,
+                  p->n_pieces);
     for (uint32_t i = 0; i < p->n_pieces; i++) {
         const uint32_t paint = p->piece[i].paint;
         const enum sim_form form = sim_paint_form(&p->paint[paint]);
-        (void)fprintf(f, "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_%s[%" PRIu32 "]%s },\n", name, i, name,
-                      forms[form].array, count_paints(p, form, paint), form != SIM_FORM_MATERIAL ? ".material" : "");
+        (void)fprintf(f,
+                      "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_%s[%" PRIu32 "]%s },\n",
+                      name, i, name, forms[form].array, count_paints(p, form, paint),
+                      form != SIM_FORM_MATERIAL ? ".material" : "");
     }
     (void)fputs("};\n", f);
 }
@@ -542,7 +555,8 @@ static void texture_figures(FILE *f, const struct sim_conversion *c, const char 
         else
             (void)fputs(", nothing lost", f);
         if (c->made.pieces.uv_error != NULL && c->made.pieces.uv_error[i] >= 0.0)
-            (void)fprintf(f, "; coordinates off by at most %.4f texels", c->made.pieces.uv_error[i]);
+            (void)fprintf(f, "; coordinates off by at most %.4f texels",
+                          c->made.pieces.uv_error[i]);
         (void)fputc('\n', f);
     }
 }
@@ -570,7 +584,8 @@ struct box {
 
 static void find_box(struct box *box, const struct sim_conversion *c)
 {
-    const double unit = (double)c->made.steps.scale / 65536.0 / 256.0; /* world units to 1/256 step */
+    const double unit = (double)c->made.steps.scale / 65536.0 /
+                        256.0; /* world units to 1/256 step */
     double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
            most = 0.0;
     for (uint32_t i = 0; i < c->made.pieces.n_pieces; i++)
@@ -635,7 +650,9 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
             (void)fprintf(f, "#define %s_%s %" PRIu32 "u\n", big, forms[form].define,
                           all_paints(p, (enum sim_form)form));
     if (all_paints(p, SIM_FORM_BLEND) > 0)
-        (void)fprintf(f, "#define %s_METHOD (&zs_method_transparent) /* zs_config.method: sorts what is transparent */\n",
+        (void)fprintf(f,
+                      "#define %s_METHOD (&zs_method_transparent) /* zs_config.method: sorts what "
+                      "is transparent */\n",
                       big);
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
@@ -666,9 +683,10 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
         describe_place(f, c, &box);
         describe_use(f, name, big);
     }
-    (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n%s%s\n", big, big,
-                  all_paints(&c->made.pieces, SIM_FORM_BLEND) > 0 ? "#include \"zs_blend.h\"\n" : "",
-                  all_paints(&c->made.pieces, SIM_FORM_LIT) > 0 ? "#include \"zs_lights.h\"\n" : "");
+    (void)fprintf(
+        f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n%s%s\n", big, big,
+        all_paints(&c->made.pieces, SIM_FORM_BLEND) > 0 ? "#include \"zs_blend.h\"\n" : "",
+        all_paints(&c->made.pieces, SIM_FORM_LIT) > 0 ? "#include \"zs_lights.h\"\n" : "");
     if (has_mesh)
         defines(f, c, big, &box);
     if (c->made.n_skins > 0)
@@ -681,14 +699,16 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
         (void)fprintf(f, "extern const struct zs_mesh %s_mesh[%s_INSTANCES];\n", name, big);
         for (size_t form = 0; form < N_FORMS; form++)
             if (all_paints(&c->made.pieces, (enum sim_form)form) > 0)
-                (void)fprintf(f, "extern const struct %s %s_%s[%s_%s];\n", forms[form].type, name, forms[form].array,
-                              big, forms[form].define);
+                (void)fprintf(f, "extern const struct %s %s_%s[%s_%s];\n", forms[form].type, name,
+                              forms[form].array, big, forms[form].define);
         if (all_paints(&c->made.pieces, SIM_FORM_LIT) > 0)
-            (void)fprintf(f,
-                          "/* The light of %s_lit, in RAM; zs_scene.light is for the others. To have them alike:\n"
-                          " *     memcpy(%s_lamp[0].dir, scene.light.dir, sizeof %s_lamp[0].dir); */\n"
-                          "extern struct zs_lamp %s_lamp[1];\nextern const struct zs_lighting %s_lighting;\n",
-                          name, name, name, name, name);
+            (void)fprintf(
+                f,
+                "/* The light of %s_lit, in RAM; zs_scene.light is for the others. To have them "
+                "alike:\n"
+                " *     memcpy(%s_lamp[0].dir, scene.light.dir, sizeof %s_lamp[0].dir); */\n"
+                "extern struct zs_lamp %s_lamp[1];\nextern const struct zs_lighting %s_lighting;\n",
+                name, name, name, name, name);
     }
     if (c->made.n_skins > 0)
         (void)fprintf(f, "extern const struct zs_texture %s_texture[%s_TEXTURES];\n", name, big);

@@ -115,7 +115,8 @@ void sim_converted_bytes(struct sim_converted_bytes *out, const struct sim_conve
     for (uint32_t i = 0; i < c->n_skins; i++)
         out->texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
     out->structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) + c->n_skins * TEXTURE_BYTES;
-    static const size_t of_form[] = { [SIM_FORM_MATERIAL] = MATERIAL_BYTES, [SIM_FORM_BLEND] = BLEND_BYTES,
+    static const size_t of_form[] = { [SIM_FORM_MATERIAL] = MATERIAL_BYTES,
+                                      [SIM_FORM_BLEND] = BLEND_BYTES,
                                       [SIM_FORM_LIT] = LIT_BYTES };
     uint8_t powers[128];
     int lit = 0;
@@ -123,7 +124,8 @@ void sim_converted_bytes(struct sim_converted_bytes *out, const struct sim_conve
         out->structs += of_form[sim_paint_form(&p->paint[i])];
         lit |= p->paint[i].lit;
     }
-    out->structs += (lit ? LAMP_BYTES + LIGHTING_BYTES : 0u) + SHINE_BYTES * sim_paint_powers(powers, p);
+    out->structs += (lit ? LAMP_BYTES + LIGHTING_BYTES : 0u) +
+                    SHINE_BYTES * sim_paint_powers(powers, p);
     out->total = s->pos + s->pos_lo + s->tri + s->normal + s->face_normal + s->rgb + s->uv +
                  s->cluster + s->bvh + out->texels + out->structs;
 }

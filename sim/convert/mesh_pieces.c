@@ -110,8 +110,8 @@ static struct zs_rgb color_of(const struct work *w, uint32_t t, enum sim_shader 
 
 static int same_light(const struct sim_paint *a, const struct sim_paint *b)
 {
-    return a->lit == b->lit && a->power == b->power && a->two_sided == b->two_sided && same_rgb(a->specular, b->specular) &&
-           same_rgb(a->emission, b->emission);
+    return a->lit == b->lit && a->power == b->power && a->two_sided == b->two_sided &&
+           same_rgb(a->specular, b->specular) && same_rgb(a->emission, b->emission);
 }
 
 static uint32_t find_group(struct groups *g, const struct sim_paint *paint, int by_color)
@@ -141,16 +141,20 @@ static int is_flat(const struct work *w, const uint32_t tri[3])
 }
 
 /* Blending costs more than a test, and that more than neither: where a material does not need it, it has none. */
-static void set_alpha(const struct work *w, struct sim_paint *paint, const struct sim_material *material)
+static void set_alpha(const struct work *w, struct sim_paint *paint,
+                      const struct sim_material *material)
 {
     const int textured = paint->texture != SIM_NO_TEXTURE && !w->options->opaque;
-    const uint8_t texels = textured ? w->model->texture[paint->texture].alpha_mode : SIM_ALPHA_OPAQUE;
-    paint->alpha = material->alpha_mode == SIM_ALPHA_BLEND && !w->options->opaque ? material->alpha : 255;
+    const uint8_t texels = textured ? w->model->texture[paint->texture].alpha_mode
+                                    : SIM_ALPHA_OPAQUE;
+    paint->alpha = material->alpha_mode == SIM_ALPHA_BLEND && !w->options->opaque ? material->alpha
+                                                                                  : 255;
     paint->alpha_mode = paint->alpha < 255 ? SIM_ALPHA_BLEND : texels;
 }
 
 /* Highlights and emission, where there is a shader for them. */
-static void set_light(const struct work *w, struct sim_paint *paint, const struct sim_material *material)
+static void set_light(const struct work *w, struct sim_paint *paint,
+                      const struct sim_material *material)
 {
     const struct zs_rgb none = { 0, 0, 0 };
     const int smooth = paint->shader == SIM_SHADER_SMOOTH;
@@ -170,11 +174,15 @@ static struct sim_paint paint_of(const struct work *w, uint32_t t)
 {
     const uint32_t texture = texture_of(w, t);
     const struct sim_material *material = &w->model->material[w->model->tri_material[t]];
-    const enum sim_look look =
-        w->options->by_material && material->unlit ? SIM_LOOK_UNLIT : (enum sim_look)w->options->look;
-    struct sim_paint paint = { .shader = shader_of(look, texture != SIM_NO_TEXTURE), .texture = texture,
+    const enum sim_look look = w->options->by_material && material->unlit
+                                   ? SIM_LOOK_UNLIT
+                                   : (enum sim_look)w->options->look;
+    struct sim_paint paint = { .shader = shader_of(look, texture != SIM_NO_TEXTURE),
+                               .texture = texture,
                                .rgb = { 255, 255, 255 } };
-    paint.cull = (uint8_t)(material->two_sided && w->options->cull == ZS_CULL_BACK ? ZS_CULL_NONE : w->options->cull);
+    paint.cull = (uint8_t)(material->two_sided && w->options->cull == ZS_CULL_BACK
+                               ? ZS_CULL_NONE
+                               : w->options->cull);
     set_alpha(w, &paint, material);
     set_light(w, &paint, material);
     return paint;
@@ -237,12 +245,13 @@ static void free_groups(struct groups *g)
 struct fold {
     double shift[2]; /* whole pictures, on axes that repeat */
     uint8_t bits;
-    uint8_t by_triangle; /* flag: each triangle is first brought to 0 .. 1 and up there, which splits vertices */
+    uint8_t
+        by_triangle; /* flag: each triangle is first brought to 0 .. 1 and up there, which splits vertices */
 };
 
 /* A coordinate before the shift. */
-static double placed(const struct work *w, const struct fold *fold, const struct sim_texture *texture, uint32_t t,
-                     int k, int axis)
+static double placed(const struct work *w, const struct fold *fold,
+                     const struct sim_texture *texture, uint32_t t, int k, int axis)
 {
     const double(*uv)[2] = (const double(*)[2])w->model->uv[t];
     if (!fold->by_triangle || (texture->clamp & (axis == 0 ? ZS_CLAMP_U : ZS_CLAMP_V)))
@@ -251,7 +260,8 @@ static double placed(const struct work *w, const struct fold *fold, const struct
 }
 
 /* Shifts and bits; how far off, in texels, coordinates then are at most. INFINITY: 16 bits do not hold them. */
-static double fit_fold(const struct work *w, uint32_t group, struct fold *fold, double lo[2], double hi[2])
+static double fit_fold(const struct work *w, uint32_t group, struct fold *fold, double lo[2],
+                       double hi[2])
 {
     const struct sim_model *model = w->model;
     const uint32_t n = w->groups.at[group].paint.texture, *size = w->texture_size[n];
@@ -288,7 +298,8 @@ static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
             return SIM_OK;
     return sim_refuse(
         w->model->file, 0,
-        "texture coordinates of a face run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
+        "texture coordinates of a face run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u "
+        "texels "
         "%.3g times over; repeat the picture less often, or make it smaller (--texture-size)",
         lo[0], lo[1], hi[0], hi[1], size[0], size[1],
         INT16_MAX / (double)(size[0] > size[1] ? size[0] : size[1]));
@@ -334,8 +345,8 @@ static void take_uv(struct work *w, const struct shape *s, uint32_t t, int k, in
 {
     const uint32_t texture = s->group->paint.texture;
     for (int axis = 0; axis < 2; axis++) {
-        const double exact =
-            placed(w, &s->fold, &w->model->texture[texture], t, k, axis) + s->fold.shift[axis];
+        const double exact = placed(w, &s->fold, &w->model->texture[texture], t, k, axis) +
+                             s->fold.shift[axis];
         out[axis] = (int16_t)rint(ldexp(exact, s->fold.bits));
         const double off =
             fabs(exact - ldexp(out[axis], -s->fold.bits)) * w->texture_size[texture][axis];
@@ -696,10 +707,12 @@ static void measure_places(struct work *w)
 }
 
 /* What of a triangle's material is not drawn, of that which the loader has read. */
-static void lose_of(const struct work *w, const struct sim_material *m, const struct sim_paint *paint, struct sim_lost *lost)
+static void lose_of(const struct work *w, const struct sim_material *m,
+                    const struct sim_paint *paint, struct sim_lost *lost)
 {
     const struct zs_rgb none = { 0, 0, 0 };
-    if (m->two_sided && !paint->lit && paint->shader != SIM_SHADER_RAW && paint->shader != SIM_SHADER_TEXTURE)
+    if (m->two_sided && !paint->lit && paint->shader != SIM_SHADER_RAW &&
+        paint->shader != SIM_SHADER_TEXTURE)
         sim_lose(lost, SIM_LOST_TWO_SIDED, m->name);
     if (m->alpha_mode != SIM_ALPHA_OPAQUE && w->options->opaque)
         sim_lose(lost, SIM_LOST_OPACITY, m->name);
@@ -735,7 +748,9 @@ static void count_losses(struct work *w)
 
 enum sim_form sim_paint_form(const struct sim_paint *paint)
 {
-    return paint->lit ? SIM_FORM_LIT : paint->alpha_mode == SIM_ALPHA_BLEND ? SIM_FORM_BLEND : SIM_FORM_MATERIAL;
+    return paint->lit                             ? SIM_FORM_LIT
+           : paint->alpha_mode == SIM_ALPHA_BLEND ? SIM_FORM_BLEND
+                                                  : SIM_FORM_MATERIAL;
 }
 
 uint32_t sim_paint_powers(uint8_t power[128], const struct sim_pieces *pieces)

@@ -29,8 +29,9 @@ struct sim_paint {
     uint8_t cull;     /* enum zs_cull */
     uint8_t alpha_mode, alpha; /* enum sim_alpha, mask only with a texture; opacity, 255 is full */
     uint8_t power;             /* of highlights; 0: none */
-    uint8_t lit;               /* flag: a struct zs_lit_material, which alone has what follows; flat or smooth, opaque */
-    uint8_t two_sided;         /* flag: light falls on back sides */
+    uint8_t
+        lit; /* flag: a struct zs_lit_material; what follows is of those */
+    uint8_t two_sided; /* flag: light falls on back sides */
     struct zs_rgb specular, emission;
     const char *name; /* of the file's material, borrowed; "": several or none */
 };

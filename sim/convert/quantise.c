@@ -6,8 +6,9 @@
  * then that is the step and nothing is lost. Otherwise the extent is divided by 2^24 - 4.
  *
  * The world unit: a mesh step (256 grid steps) is 2^k world units, with k as large as the eye and the
- * model allow, so that they use 2^28 .. 2^29 of the world. A converted mesh keeps its own world unit, halved as often. The far plane may be 2^15 times farther. Where
- * half a unit would be more than OFF_MAX_PX on the screen, the camera is refused: better than a wrong picture.
+ * model allow, so that they use 2^28 .. 2^29 of the world. A converted mesh keeps its own world unit, halved as often.
+ * The far plane may be 2^15 times farther. Where half a unit would be more than OFF_MAX_PX on the screen, the camera is
+ * refused: better than a wrong picture.
  *
  * Texture coordinates: a part has as many uv bits as the range of its int16 allows. Whole repeats
  * are taken off the part as a whole; where the coordinates could then not be held to 1/16 texel, off
@@ -170,7 +171,8 @@ static int choose_unit(struct sim_scene *s, uint32_t *scale, const struct sim_mo
     const int units_log2 = k > UNITS_LOG2_MAX ? UNITS_LOG2_MAX : (int)k;
     *scale = (uint32_t)ldexp(65536.0, units_log2);
     s->unit = ldexp(mesh_step, -units_log2);
-    if (unit > 0.0 && WORLD_USE * ZS_WORLD_MAX * unit >= need) { /* a part of it, so that no scale is rounded */
+    if (unit > 0.0 &&
+        WORLD_USE * ZS_WORLD_MAX * unit >= need) { /* a part of it, so that no scale is rounded */
         *scale = (uint32_t)rint(mesh_step / unit * 65536.0);
         s->unit = unit;
         while (*scale < 1u << 30 && WORLD_USE * ZS_WORLD_MAX * s->unit >= 2.0 * need) {
@@ -188,15 +190,17 @@ static void scaled(int32_t out[3], const double v[3])
 }
 
 /* A camera that a program on the board can have, at whole world units, and looking at such a place: as it has it. */
-static void take_whole(const struct sim_scene *s, const struct sim_view *v, const struct sim_options *o, double unit,
-                       int32_t eye[3], int32_t dir[3], int32_t up[3])
+static void take_whole(const struct sim_scene *s, const struct sim_view *v,
+                       const struct sim_options *o, double unit, int32_t eye[3], int32_t dir[3],
+                       int32_t up[3])
 {
     double from[3], to[3];
     for (int k = 0; k < 3; k++) {
         from[k] = (v->eye[k] - s->origin[k]) / unit;
         to[k] = (v->at[k] - s->origin[k]) / unit;
         if (fabs(from[k] - rint(from[k])) > WHOLE_MAX || fabs(to[k] - rint(to[k])) > WHOLE_MAX ||
-            fabs(to[k] - from[k]) > ZS_WORLD_MAX || o->up[k] != rint(o->up[k]) || fabs(o->up[k]) > ZS_WORLD_MAX)
+            fabs(to[k] - from[k]) > ZS_WORLD_MAX || o->up[k] != rint(o->up[k]) ||
+            fabs(o->up[k]) > ZS_WORLD_MAX)
             return;
     }
     for (int k = 0; k < 3; k++) {
@@ -207,8 +211,8 @@ static void take_whole(const struct sim_scene *s, const struct sim_view *v, cons
 }
 
 /* unit: of convert's, model units; 0: there is none. */
-static int build_camera(struct sim_scene *s, const struct sim_view *v, const struct sim_options *o, double unit,
-                        const char *file)
+static int build_camera(struct sim_scene *s, const struct sim_view *v, const struct sim_options *o,
+                        double unit, const char *file)
 {
     struct zs_camera *c = &s->camera;
     double forward[3];
@@ -243,10 +247,14 @@ static void build_light(struct sim_scene *s, const struct sim_view *v, const str
     s->scene.light.ambient = (zs_uq16_16)lrint(o->ambient * 65536.0);
     s->scene.light.diffuse = (zs_uq16_16)lrint(o->diffuse * 65536.0);
     const uint8_t ambient = (uint8_t)lrint(o->ambient * 255.0);
-    s->lamp = (struct zs_lamp){ .rgb = { 255, 255, 255 },
-                                .strength = s->scene.light.diffuse > 0 ? s->scene.light.diffuse : 1u, /* 0 would be 1 */
-                                .dir = { s->scene.light.dir[0], s->scene.light.dir[1], s->scene.light.dir[2] } };
-    s->lighting = (struct zs_lighting){ .lamp = &s->lamp, .n_lamps = 1, .ambient = { ambient, ambient, ambient } };
+    s->lamp = (struct zs_lamp){
+        .rgb = { 255, 255, 255 },
+        .strength = s->scene.light.diffuse > 0 ? s->scene.light.diffuse : 1u, /* 0 would be 1 */
+        .dir = { s->scene.light.dir[0], s->scene.light.dir[1], s->scene.light.dir[2] }
+    };
+    s->lighting = (struct zs_lighting){ .lamp = &s->lamp,
+                                        .n_lamps = 1,
+                                        .ambient = { ambient, ambient, ambient } };
     s->scene.background = zs_rgb565(o->background.r, o->background.g, o->background.b);
 }
 
@@ -684,8 +692,8 @@ static void build_materials(struct sim_scene *s, const struct sim_model *model,
     }
 }
 
-static int build_file(struct sim_scene *out, const struct sim_model *model, const struct sim_view *view,
-                      const struct sim_options *o)
+static int build_file(struct sim_scene *out, const struct sim_model *model,
+                      const struct sim_view *view, const struct sim_options *o)
 {
     struct grid grid;
     uint32_t scale;
@@ -699,12 +707,14 @@ static int build_file(struct sim_scene *out, const struct sim_model *model, cons
         return status;
     build_materials(out, model, o);
     memcpy(out->lost, model->lost, sizeof out->lost);
-    struct build b = { .scene = out, .model = model, .grid = &grid, .options = o, .scale = scale / 65536.0 };
+    struct build b = {
+        .scene = out, .model = model, .grid = &grid, .options = o, .scale = scale / 65536.0
+    };
     return build_parts(&b);
 }
 
-static int build_converted(struct sim_scene *out, const struct sim_model *model, const struct sim_view *view,
-                           const struct sim_options *o)
+static int build_converted(struct sim_scene *out, const struct sim_model *model,
+                           const struct sim_view *view, const struct sim_options *o)
 {
     struct sim_convert_options wish;
     struct sim_converted made;
@@ -772,7 +782,6 @@ void sim_scene_free(struct sim_scene *scene)
     for (uint32_t i = 0; i < scene->n_textures; i++)
         free((void *)(uintptr_t)scene->texture[i].texel);
     SIM_FREE(scene->texture, scene->palette, scene->material, scene->part, scene->instance,
-             scene->source, scene->blend,
-             scene->lit, scene->shine);
+             scene->source, scene->blend, scene->lit, scene->shine);
     memset(scene, 0, sizeof *scene);
 }

@@ -47,7 +47,8 @@ struct sim_scene {
     struct sim_part *part;        /* [n_parts] */
     uint32_t n_parts;
     uint64_t n_verts;             /* of all parts */
-    uint32_t *source;  /* the number in the model of each triangle, by parts; NULL: they are in its order */
+    uint32_t *
+        source; /* the number in the model of each triangle, by parts; NULL: they are in its order */
     struct sim_lost lost[SIM_LOST_KINDS]; /* of the file */
     size_t data_bytes; /* that firmware keeps, as `zsim convert` writes it; 0 with --mesh file */
     double origin[3], step, unit; /* model units: of n = 0, of 1, and of a world unit */

@@ -50,7 +50,8 @@ static float *resample(const struct sim_image *image, int channel, uint32_t w, u
     float *out = sim_alloc((size_t)w * h, sizeof *out);
     for (size_t y = 0; y < old_h; y++) {
         for (size_t x = 0; x < old_w; x++)
-            line[x] = (float)(channel < 3 ? image->rgb[y * old_w + x][channel] : image->alpha[y * old_w + x]);
+            line[x] = (float)(channel < 3 ? image->rgb[y * old_w + x][channel]
+                                          : image->alpha[y * old_w + x]);
         resample_line(line, old_w, 1, half + y * w, w, 1);
     }
     for (size_t x = 0; x < w; x++)

@@ -18,7 +18,7 @@ struct sim_texture {
     struct sim_image image;           /* both sides powers of two, 1 .. SIM_TEXTURE_MAX */
     uint32_t file_width, file_height; /* px, before it was resampled; equal to the image's if not */
     uint8_t clamp;                    /* enum zs_clamp */
-    uint8_t alpha_mode, alpha_least;  /* as of struct sim_material; opaque: the image has no alpha */
+    uint8_t alpha_mode, alpha_least; /* as of struct sim_material; opaque: the image has no alpha */
 };
 
 /* A texture from a picture: each channel times a factor, then resampled. A side that is a power of

@@ -46,12 +46,14 @@ static uint8_t *shrink_alpha(const struct sim_image *image, const uint32_t size[
     if (image->alpha == NULL)
         return NULL;
     uint8_t *out = sim_alloc((size_t)size[0] * size[1], 1);
-    const uint32_t across = image->width / size[0], down = image->height / size[1], n = across * down;
+    const uint32_t across = image->width / size[0], down = image->height / size[1],
+                   n = across * down;
     for (uint32_t y = 0; y < size[1]; y++)
         for (uint32_t x = 0; x < size[0]; x++) {
             uint32_t sum = n / 2;
             for (uint32_t i = 0; i < n; i++)
-                sum += image->alpha[(size_t)(y * down + i / across) * image->width + x * across + i % across];
+                sum += image->alpha[(size_t)(y * down + i / across) * image->width + x * across +
+                                    i % across];
             out[(size_t)y * size[0] + x] = (uint8_t)(sum / n);
         }
     return out;
@@ -92,8 +94,8 @@ static void make_palette(struct sim_skin *s, const struct sim_pixels *px, enum s
     uint16_t *shown = sim_alloc(n, sizeof *shown), *best = sim_alloc(n, sizeof *best);
     s->format = format;
     s->index = sim_alloc(n, 1);
-    s->n_colors =
-        sim_palette_build(s->palette, (format == SIM_TEXELS_PAL4 ? PAL4_MAX : SIM_PALETTE_MAX) - reserve, px);
+    s->n_colors = sim_palette_build(
+        s->palette, (format == SIM_TEXELS_PAL4 ? PAL4_MAX : SIM_PALETTE_MAX) - reserve, px);
     sim_palette_map(s->index, px, s->palette, s->n_colors, 0);
     sim_rgb565_map(best, px, 0);
     for (size_t i = 0; i < n; i++)
@@ -137,8 +139,8 @@ static void choose(struct sim_skin *s, const struct sim_pixels *px, int dither)
 /* ---- Alpha ----------------------------------------------------------------------------------- */
 
 /* Texels of a mask: one entry more, which is not drawn. What it hides has no colour to keep. */
-static void make_mask(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha, enum sim_texels format,
-                      int dither)
+static void make_mask(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha,
+                      enum sim_texels format, int dither)
 {
     const size_t n = (size_t)px->w * px->h;
     uint8_t(*rgb)[3] = sim_alloc(n, sizeof *rgb);
@@ -146,7 +148,11 @@ static void make_mask(struct sim_skin *s, const struct sim_pixels *px, const uin
     while (first < n && alpha[first] < s->alpha_least)
         first++;
     for (size_t i = 0; i < n; i++)
-        memcpy(rgb[i], px->rgb[alpha[i] >= s->alpha_least ? i : first < n ? first : 0], sizeof rgb[i]);
+        memcpy(rgb[i],
+               px->rgb[alpha[i] >= s->alpha_least ? i
+                       : first < n                ? first
+                                                  : 0],
+               sizeof rgb[i]);
     const struct sim_pixels seen = { px->w, px->h, (const uint8_t(*)[3])rgb };
     make_palette(s, &seen, format, 1, dither);
     for (size_t i = 0; i < n; i++)
@@ -184,8 +190,8 @@ static void make_4444(struct sim_skin *s, const struct sim_pixels *px, const uin
 }
 
 /* A mask has alphas of 0 and 255, which a palette holds; what blends has all. */
-static void make_alpha(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha, uint8_t mode,
-                       const struct sim_convert_options *o)
+static void make_alpha(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha,
+                       uint8_t mode, const struct sim_convert_options *o)
 {
     if (mode == SIM_ALPHA_BLEND || o->texels == SIM_TEXELS_565) {
         make_4444(s, px, alpha);
@@ -202,7 +208,8 @@ static void make_alpha(struct sim_skin *s, const struct sim_pixels *px, const ui
 
 uint32_t sim_skin_palette(const struct sim_skin *skin)
 {
-    return skin->n_colors * (skin->format == SIM_TEXELS_PAL8A || skin->format == SIM_TEXELS_PAL4A ? 2u : 1u);
+    return skin->n_colors *
+           (skin->format == SIM_TEXELS_PAL8A || skin->format == SIM_TEXELS_PAL4A ? 2u : 1u);
 }
 
 /* ---- All of it ------------------------------------------------------------------------------- */

@@ -19,8 +19,10 @@ struct sim_skin {
     uint8_t alpha_least;    /* of a mask, 1 .. 255; else 0 */
     uint16_t *texel;        /* [h][w], with 565 and 4444; else NULL */
     uint8_t *index;         /* [h][w] or [h][w / 2]; else NULL */
-    uint16_t palette[2 * SIM_PALETTE_MAX]; /* with pal8a and pal4a the second half of [2 * n_colors] is alphas */
-    uint32_t n_colors; /* 0 without a palette */
+    uint16_t palette
+        [2 *
+         SIM_PALETTE_MAX]; /* with pal8a and pal4a the second half of [2 * n_colors] is alphas */
+    uint32_t n_colors;     /* 0 without a palette */
     uint32_t n_levels; /* 1, or with --mipmap as many as the size allows: those after the first follow it
                           in texel or index, each half as wide and high, with the same palette */
     size_t texel_bytes, palette_bytes; /* of all levels */

@@ -26,33 +26,40 @@ static const char *scene_list(void)
 
 static const struct sim_option table[] = {
     { "Panel", SIM_OPTION_HEADING },
-    SIM_PANEL_OPTIONS(struct linux_options, panel, "the controller and its picture's size. There are:"),
+    SIM_PANEL_OPTIONS(struct linux_options, panel,
+                      "the controller and its picture's size. There are:"),
     { "Wiring", SIM_OPTION_HEADING },
     { "--spi", SIM_OPTION_FILE, AT(spi), .value = "DEV",
       .help = "the bus it is on: /dev/spidev0.0 is SPI 0, chip select 0" },
     { "--speed", SIM_OPTION_COUNT, AT(speed), AT(has_speed), 1000, 1e9, .value = "HZ",
-      .help = "clock of the bus (st7789 and gc9a01 32000000, ssd1351 20000000, ili9341 and ssd1306 10000000, ssd0323 "
+      .help = "clock of the bus (st7789 and gc9a01 32000000, ssd1351 20000000, ili9341 and ssd1306 "
+              "10000000, ssd0323 "
               "4000000)" },
     { "--dc", SIM_OPTION_TEXT, AT(dc), .value = "LINE", .help = "" },
     { "--reset", SIM_OPTION_TEXT, AT(reset), .value = "LINE", .help = "" },
     { "--backlight", SIM_OPTION_TEXT, AT(backlight), .value = "LINE",
-      .help = "outputs: a line's name, or CHIP:LINE, where CHIP is a number, gpiochip0, a path or a chip's label. D/C "
+      .help = "outputs: a line's name, or CHIP:LINE, where CHIP is a number, gpiochip0, a path or "
+              "a chip's label. D/C "
               "is needed; without RESET the panel gets a command in its place" },
     { "--te", SIM_OPTION_TEXT, AT(te), .value = "LINE",
-      .help = "input: each frame begins with its next rising edge. When none comes for a second, frames are drawn "
+      .help = "input: each frame begins with its next rising edge. When none comes for a second, "
+              "frames are drawn "
               "without it from then on" },
     { "Picture", SIM_OPTION_HEADING },
-    { "--scene", SIM_OPTION_TEXT, AT(scene), .help = "one of these, turning or moving:", .list = scene_list },
+    { "--scene", SIM_OPTION_TEXT, AT(scene),
+      .help = "one of these, turning or moving:", .list = scene_list },
     { "--model", SIM_OPTION_FILE, AT(model),
       .help = "what `zsim render` draws, turning; materials are opaque" },
     { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX,
-      .help =
-          "frames 0, 1, 2 ... N - 1 of the animation, N {range}, then the end; without it for ever, by the clock" },
+      .help = "frames 0, 1, 2 ... N - 1 of the animation, N {range}, then the end; without it for "
+              "ever, by the clock" },
     { "--step", SIM_OPTION_COUNT, AT(step), AT(has_step), 0, 65535,
       .help = "with --frames: frames 0, N, 2 N ..., N {range} (1)" },
     { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8", .help = "sub-pixel bits (8)" },
-    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, .value = "ROWS", .help = "rows to a strip (24)" },
-    { "--partial", SIM_OPTION_FLAG, AT(partial), .help = "of each strip, send only the columns that have changed" },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, .value = "ROWS",
+      .help = "rows to a strip (24)" },
+    { "--partial", SIM_OPTION_FLAG, AT(partial),
+      .help = "of each strip, send only the columns that have changed" },
     { "Else", SIM_OPTION_HEADING },
     { "--stats", SIM_OPTION_FLAG, AT(stats),
       .help = "every 32 frames and at the end a line of numbers, averages of a frame" },

@@ -39,8 +39,9 @@ int turning_open(struct source *s, const struct linux_options *o)
         status = sim_view_plan(&view, &as, &model);
     if (status == SIM_OK)
         status = sim_scene_build(&scene, &model, &view, &as);
-    *s = (struct source){ o->model, &scene.scene, &scene.camera, &zs_depth_float, fast,
-                          status == SIM_OK ? sim_scene_varyings(&scene.scene) : 0 };
+    *s = (struct source){ o->model,      &scene.scene,
+                          &scene.camera, &zs_depth_float,
+                          fast,          status == SIM_OK ? sim_scene_varyings(&scene.scene) : 0 };
     return status;
 }
 

@@ -79,7 +79,8 @@ static uint8_t to_byte(double v)
     return v >= 1.0 ? 255 : v > 0.0 ? (uint8_t)(v * 255.0 + 0.5) : 0; /* NaN: 0 */
 }
 
-static double number_of(const struct aiMaterial *m, const char *key, unsigned type, unsigned n, double otherwise)
+static double number_of(const struct aiMaterial *m, const char *key, unsigned type, unsigned n,
+                        double otherwise)
 {
     float v;
     return aiGetMaterialFloat(m, key, type, n, &v) == aiReturn_SUCCESS ? (double)v : otherwise;
@@ -109,7 +110,8 @@ static void set_specular(struct sim_material *to, const double rgb[3], double po
     const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])), full = fmax(most, 1.0);
     if (!(most >= SPECULAR_LEAST) || !(power >= 1.0))
         return;
-    to->specular = (struct zs_rgb){ to_byte(rgb[0] / full), to_byte(rgb[1] / full), to_byte(rgb[2] / full) };
+    to->specular = (struct zs_rgb){ to_byte(rgb[0] / full), to_byte(rgb[1] / full),
+                                    to_byte(rgb[2] / full) };
     to->power = (uint8_t)fmin(power, SPECULAR_POWER_MAX);
 }
 
@@ -133,9 +135,11 @@ static void look_of(struct sim_material *to, const struct aiMaterial *m)
     struct aiColor4D c = { 0.0f, 0.0f, 0.0f, 1.0f };
     int flag = 0;
     const int mode = gltf_mode(m);
-    to->two_sided = aiGetMaterialInteger(m, AI_MATKEY_TWOSIDED, &flag) == aiReturn_SUCCESS && flag != 0;
+    to->two_sided = aiGetMaterialInteger(m, AI_MATKEY_TWOSIDED, &flag) == aiReturn_SUCCESS &&
+                    flag != 0;
     if (aiGetMaterialColor(m, AI_MATKEY_COLOR_EMISSIVE, &c) == aiReturn_SUCCESS)
-        to->emission = (struct zs_rgb){ to_byte((double)c.r), to_byte((double)c.g), to_byte((double)c.b) };
+        to->emission = (struct zs_rgb){ to_byte((double)c.r), to_byte((double)c.g),
+                                        to_byte((double)c.b) };
     to->unlit = aiGetMaterialInteger(m, AI_MATKEY_SHADING_MODEL, &flag) == aiReturn_SUCCESS &&
                 flag == (int)aiShadingMode_Unlit;
     if (mode >= 0) {
@@ -161,7 +165,8 @@ void sim_material_look(struct sim_material *to, const struct aiMaterial *materia
     to->alpha_least = 128;
     if (mtl != NULL) {
         set_opacity(to, mtl->d);
-        to->emission = (struct zs_rgb){ to_byte(mtl->ke[0]), to_byte(mtl->ke[1]), to_byte(mtl->ke[2]) };
+        to->emission = (struct zs_rgb){ to_byte(mtl->ke[0]), to_byte(mtl->ke[1]),
+                                        to_byte(mtl->ke[2]) };
         set_specular(to, mtl->ks, mtl->ns);
         if (mtl->mask != NULL && to->alpha_mode == SIM_ALPHA_OPAQUE)
             to->alpha_mode = SIM_ALPHA_MASK;
@@ -190,8 +195,10 @@ static void take_mtl(struct sim_use *out, const struct sim_mtl_entry *mtl)
 void sim_material_use(struct sim_use *out, const struct aiMaterial *material,
                       const struct sim_mtl_entry *mtl)
 {
-    *out = (struct sim_use){ .path = copy(""), .mask = copy(mtl != NULL && mtl->mask != NULL ? mtl->mask : ""),
-                             .scale = { 1.0, 1.0 }, .factor = { 1.0, 1.0, 1.0 } };
+    *out = (struct sim_use){ .path = copy(""),
+                             .mask = copy(mtl != NULL && mtl->mask != NULL ? mtl->mask : ""),
+                             .scale = { 1.0, 1.0 },
+                             .factor = { 1.0, 1.0, 1.0 } };
     out->says_alpha = mtl == NULL && material != NULL && gltf_mode(material) >= 0;
     if (mtl != NULL)
         take_mtl(out, mtl);
@@ -314,14 +321,15 @@ static void take_alpha(struct sim_model *model, struct sim_texture *t, const str
     if (t->alpha_mode != SIM_ALPHA_OPAQUE || t->image.alpha == NULL)
         return;
     if (!use->says_alpha)
-        sim_lose(model->lost, SIM_LOST_TEXEL_ALPHA, strrchr(t->name, '/') != NULL ? strrchr(t->name, '/') + 1
-                                                                                  : t->name);
+        sim_lose(model->lost, SIM_LOST_TEXEL_ALPHA,
+                 strrchr(t->name, '/') != NULL ? strrchr(t->name, '/') + 1 : t->name);
     free(t->image.alpha);
     t->image.alpha = NULL;
 }
 
 /* The opacity that an MTL names, as the picture's alpha: that of the mask, or how red it is. */
-static void load_mask(struct sim_model *model, struct sim_image *image, const struct sim_use *use, const char *material)
+static void load_mask(struct sim_model *model, struct sim_image *image, const struct sim_use *use,
+                      const char *material)
 {
     struct sim_image mask = { 0 };
     char *name = use->mask[0] != '\0' ? find_picture(model->file, use->mask) : NULL;
@@ -329,8 +337,8 @@ static void load_mask(struct sim_model *model, struct sim_image *image, const st
         return;
     sim_quiet++;
     const int same = strcmp(use->mask, use->path) == 0 && image->alpha != NULL;
-    if (!same && (name == NULL || sim_image_load(&mask, name) != SIM_OK || mask.width != image->width ||
-                  mask.height != image->height)) {
+    if (!same && (name == NULL || sim_image_load(&mask, name) != SIM_OK ||
+                  mask.width != image->width || mask.height != image->height)) {
         sim_lose(model->lost, SIM_LOST_OPACITY_MAP, material);
     } else if (!same) {
         const size_t n = (size_t)mask.width * mask.height;
@@ -428,14 +436,15 @@ static int own_textures(struct sim_model *model, const struct aiScene *scene,
         const uint32_t before = model->n_textures;
         if (status == SIM_OK && same == i) {
             sim_quiet += lenient;
-            status = load_texture(model, scene, &use[i], clamp_of(&use[i], wrap), model->material[i].name);
+            status = load_texture(model, scene, &use[i], clamp_of(&use[i], wrap),
+                                  model->material[i].name);
             sim_quiet -= lenient;
             if (status != SIM_OK && lenient) {
                 sim_lose(model->lost, SIM_LOST_TEXTURE, use[i].path);
                 status = SIM_OK;
             }
         }
-        model->material[i].texture = same < i                      ? model->material[same].texture
+        model->material[i].texture = same < i                     ? model->material[same].texture
                                      : model->n_textures > before ? before
                                                                   : SIM_NO_TEXTURE;
         sim_progress("textures", i, model->n_materials);

@@ -20,7 +20,7 @@ struct sim_use {
     double factor[3];     /* times the texels, 0 .. 1 */
     char *mask;           /* OBJ: the picture of its opacity, as the file says; "": none */
     uint8_t alpha_mode, alpha_least; /* what its alpha does: enum sim_alpha */
-    uint8_t says_alpha;   /* flag: the format says what a texture's alpha does */
+    uint8_t says_alpha;              /* flag: the format says what a texture's alpha does */
 };
 
 /* How a material looks, but for its colour and texture. material and mtl as below. */

@@ -391,8 +391,10 @@ static void fill_materials(struct load *l)
         to->rgb = i < n ? material_rgb(l, l->scene->mMaterials[i])
                         : (struct zs_rgb){ 204, 204, 204 };
         to->texture = SIM_NO_TEXTURE;
-        sim_material_look(to, i < n && has_looks(l) ? l->scene->mMaterials[i] : NULL, sim_mtl_find(&l->mtl, to->name));
-        if (l->want->color == NULL && is_black(to->rgb) && !is_black(to->emission)) { /* it shines, and that is all */
+        sim_material_look(to, i < n && has_looks(l) ? l->scene->mMaterials[i] : NULL,
+                          sim_mtl_find(&l->mtl, to->name));
+        if (l->want->color == NULL && is_black(to->rgb) &&
+            !is_black(to->emission)) { /* it shines, and that is all */
             to->rgb = to->emission;
             to->emission = (struct zs_rgb){ 0, 0, 0 };
             to->unlit = 1;
@@ -417,7 +419,8 @@ static void count_losses(struct load *l)
         used[model->tri_material[t]] = 1;
     sim_losses_count(model->lost, l->scene, l->family == FAMILY_OBJ ? NULL : used);
     for (uint32_t i = 0; l->family == FAMILY_OBJ && i < model->n_materials; i++) {
-        const struct sim_mtl_entry *mtl = used[i] ? sim_mtl_find(&l->mtl, model->material[i].name) : NULL;
+        const struct sim_mtl_entry *mtl = used[i] ? sim_mtl_find(&l->mtl, model->material[i].name)
+                                                  : NULL;
         for (int kind = 0; mtl != NULL && kind < SIM_LOST_KINDS; kind++)
             if (mtl->other_maps >> kind & 1)
                 sim_lose(model->lost, (enum sim_lost_kind)kind, model->material[i].name);

@@ -17,14 +17,15 @@
 /* A material that triangles name. */
 struct sim_material {
     char *name;        /* as in the file; "" where it has none */
-    struct zs_rgb rgb; /* diffuse; 204 204 204 where the file says nothing; where it is black, the emission, unlit */
+    struct zs_rgb
+        rgb; /* diffuse; 204 204 204 where the file says nothing; where it is black, the emission, unlit */
     struct zs_rgb emission; /* light of its own besides; 0: none */
     struct zs_rgb specular; /* of its highlights; 0: none */
     uint8_t power;          /* of their cosine, 1 .. 128; 0: none */
-    uint8_t alpha_mode;     /* enum sim_alpha; the texture has its own, which is no more than this */
-    uint8_t alpha;          /* opacity, 255 is full; SIM_ALPHA_BLEND */
-    uint8_t alpha_least;    /* least alpha of a texel that is drawn, 1 .. 255; SIM_ALPHA_MASK */
-    uint8_t two_sided;      /* flags: back sides are seen; light does not change it */
+    uint8_t alpha_mode;  /* enum sim_alpha; the texture has its own, which is no more than this */
+    uint8_t alpha;       /* opacity, 255 is full; SIM_ALPHA_BLEND */
+    uint8_t alpha_least; /* least alpha of a texel that is drawn, 1 .. 255; SIM_ALPHA_MASK */
+    uint8_t two_sided;   /* flags: back sides are seen; light does not change it */
     uint8_t unlit;
     uint32_t texture;  /* into sim_model.texture, or SIM_NO_TEXTURE */
 };
@@ -60,7 +61,7 @@ struct sim_want {
     int textures; /* flag: fill uv, has_uv and texture */
     const char *picture;        /* with textures: this file for all faces in place of the model's
                                    own; NULL: its own */
-    int lenient;  /* flag: with textures, without picture: one that cannot be loaded is noted in lost */
+    int lenient; /* flag: with textures, without picture: one that cannot be loaded is noted in lost */
     enum sim_wrap wrap;         /* with textures: as the file says, or one mode for all, both axes */
     const struct zs_rgb *color; /* of everything; NULL: as below */
 };

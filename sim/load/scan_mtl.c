@@ -135,12 +135,12 @@ static int other_map(const struct word *w)
     static const struct {
         const char *word;
         enum sim_lost_kind kind;
-    } known[] = { { "map_Bump", SIM_LOST_NORMAL_MAP },   { "bump", SIM_LOST_NORMAL_MAP },
-                  { "norm", SIM_LOST_NORMAL_MAP },       { "disp", SIM_LOST_NORMAL_MAP },
-                  { "map_Ks", SIM_LOST_SPECULAR_MAP },   { "map_Ns", SIM_LOST_SPECULAR_MAP },
-                  { "map_Ke", SIM_LOST_EMISSION_MAP },   { "map_Pr", SIM_LOST_METAL_MAP },
-                  { "map_Pm", SIM_LOST_METAL_MAP },      { "map_Ka", SIM_LOST_OTHER_MAP },
-                  { "refl", SIM_LOST_OTHER_MAP },        { "decal", SIM_LOST_OTHER_MAP } };
+    } known[] = { { "map_Bump", SIM_LOST_NORMAL_MAP }, { "bump", SIM_LOST_NORMAL_MAP },
+                  { "norm", SIM_LOST_NORMAL_MAP },     { "disp", SIM_LOST_NORMAL_MAP },
+                  { "map_Ks", SIM_LOST_SPECULAR_MAP }, { "map_Ns", SIM_LOST_SPECULAR_MAP },
+                  { "map_Ke", SIM_LOST_EMISSION_MAP }, { "map_Pr", SIM_LOST_METAL_MAP },
+                  { "map_Pm", SIM_LOST_METAL_MAP },    { "map_Ka", SIM_LOST_OTHER_MAP },
+                  { "refl", SIM_LOST_OTHER_MAP },      { "decal", SIM_LOST_OTHER_MAP } };
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (is(w, known[i].word))
             return 1 << known[i].kind;
@@ -155,10 +155,9 @@ static void take_line(struct sim_mtl *mtl, const char *at, const char *end)
     if (is(&w, "newmtl")) {
         char *given = rest(at, end), *name = given != NULL ? given : sim_alloc(1, 1);
         mtl->entry = sim_grow(mtl->entry, mtl->n + 1, sizeof *mtl->entry);
-        mtl->entry[mtl->n++] = (struct sim_mtl_entry){ .name = name,
-                                                       .kd = { 1.0, 1.0, 1.0 },
-                                                       .d = 1.0,
-                                                       .scale = { 1.0, 1.0 } };
+        mtl->entry[mtl->n++] = (struct sim_mtl_entry){
+            .name = name, .kd = { 1.0, 1.0, 1.0 }, .d = 1.0, .scale = { 1.0, 1.0 }
+        };
         return;
     }
     struct sim_mtl_entry *e = mtl->n > 0 ? &mtl->entry[mtl->n - 1] : NULL;
