@@ -188,7 +188,8 @@ budget --scene cubes --size 120x80 --tris 20 --csv
 is "the pool that was asked for" "$(csv tris)" 240
 budget tri.obj --size 100x100 --shade smooth --csv
 is "a vertex of a model: 12, 4 and 3 words" "$(csv verts) $(csv numbers) $(csv attrs)" "36 16 20"
-is "a triangle's mesh, material, instance and cluster in flash" "$(csv flash_data)" "$((72 + 16 + 64 + 3 * (6 + 6) + 6 + 20))"
+is "a triangle's mesh, material, instance and cluster" "$(csv flash_data)" \
+    "$((72 + 16 + 64 + 3 * (6 + 6) + 6 + 20))"
 budget tri.obj --size 100x100 --shade flat --csv
 is "the same, flat" "$(csv flash_data)" "$((72 + 16 + 64 + 3 * 6 + 6 + 6 + 20))"
 z budget --scene cubes --frame 7 --csv && frame7=$(csv draw_M3)

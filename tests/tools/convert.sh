@@ -203,26 +203,32 @@ pbr() { # PROPERTIES
     echo "\"pbrMetallicRoughness\":{\"metallicFactor\":0,$1}"
 }
 both_sides="{\"name\":\"both sides\",\"doubleSided\":true,$(pbr '"baseColorFactor":[1,0.6,0.2,1]')}"
-./make looks looks looks - "{\"name\":\"leaf\",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.5,$(pbr '"baseColorTexture":{"index":0}')}" \
+cut='"alphaMode":"MASK","alphaCutoff":0.5'
+opaque='"alphaMode":"OPAQUE"'
+all_maps='"normalTexture":{"index":2},"occlusionTexture":{"index":2},"emissiveTexture":{"index":2}'
+./make looks looks looks - "{\"name\":\"leaf\",$cut,$(pbr '"baseColorTexture":{"index":0}')}" \
     "{\"name\":\"fade\",\"alphaMode\":\"BLEND\",\"doubleSided\":true,$(pbr '"baseColorTexture":{"index":1}')}" \
     "{\"name\":\"glass\",\"alphaMode\":\"BLEND\",$(pbr '"baseColorFactor":[0.2,0.6,1,0.4]')}" "$both_sides" \
     "{\"name\":\"lamp\",\"emissiveFactor\":[1,0.8,0.2],$(pbr '"baseColorFactor":[0,0,0,1]')}" \
     "{\"name\":\"unlit\",\"extensions\":{\"KHR_materials_unlit\":{}},$(pbr '"baseColorTexture":{"index":2}')}" \
-    "{\"name\":\"solid\",\"alphaMode\":\"OPAQUE\",$(pbr '"baseColorTexture":{"index":0},"baseColorFactor":[1,1,1,0.3]')}"
+    "{\"name\":\"solid\",$opaque,$(pbr '"baseColorTexture":{"index":0},"baseColorFactor":[1,1,1,0.3]')}"
 ./make looks looks lossy both \
-    "{\"name\":\"gloss\",\"emissiveFactor\":[0,0,0.2],$(pbr '"roughnessFactor":0.4,"baseColorFactor":[0.7,0.1,0.1,1]')}" \
-    "{\"name\":\"maps\",\"normalTexture\":{\"index\":2},\"occlusionTexture\":{\"index\":2},\"emissiveTexture\":{\"index\":2},$(pbr \
+    "{\"name\":\"gloss\",\"emissiveFactor\":[0,0,0.2],$(pbr \
+        '"roughnessFactor":0.4,"baseColorFactor":[0.7,0.1,0.1,1]')}" \
+    "{\"name\":\"maps\",$all_maps,$(pbr \
         '"metallicRoughnessTexture":{"index":2},"baseColorTexture":{"index":3}')}" "$both_sides" \
     "{\"name\":\"wet\",\"emissiveFactor\":[0.2,0,0],$(pbr '"roughnessFactor":0.3,"baseColorTexture":{"index":2}')}"
 metal() { # NAME ROUGHNESS MORE
-    echo "{\"name\":\"$1\",$3\"pbrMetallicRoughness\":{\"metallicFactor\":1,\"roughnessFactor\":$2,\"baseColorFactor\":[1,0.5,0,1]}}"
+    echo "{\"name\":\"$1\",$3\"pbrMetallicRoughness\":{\"metallicFactor\":1,\"roughnessFactor\":$2,"
+    echo '"baseColorFactor":[1,0.5,0,1]}}'
 }
 ./make looks looks metal - "$(metal gold 0.6 '"doubleSided":true,')" "$(metal mirror 0 '')" "$(metal rough 1 '')"
 {
     echo 'mtllib glass.mtl'
     i=0
     for material in plain tinted leaf pane odd; do
-        printf 'usemtl %s\nv %d 0 %d\nv %d 0 %d\nv %d 1 %d\nv %d 1 %d\n' $material $i $((i % 2)) $((i + 2)) 0 $((i + 2)) 0 $i $((i % 2))
+        printf 'usemtl %s\nv %d 0 %d\nv %d 0 0\nv %d 1 0\nv %d 1 %d\n' $material $i $((i % 2)) $((i + 2)) \
+            $((i + 2)) $i $((i % 2))
         echo 'vt 0 0
 vt 1 0
 vt 1 1
@@ -334,20 +340,26 @@ said_of() { # FILE LINE...    all that is said
     shift
     : >said.want
     for line; do echo "not carried over: $line" >>said.want; done
-    sed "s|^zsim: $file: ||" said.render | cmp -s said.want - || wrong "render of $file says $(tr '\n' '|' <said.render)"
+    sed "s|^zsim: $file: ||" said.render | cmp -s said.want - ||
+        wrong "render of $file says $(tr '\n' '|' <said.render)"
     grep -F 'not carried over' said.convert | sed 's/^  //' | cmp -s said.want - ||
         wrong "convert of $file says $(grep -F 'not carried over' said.convert | tr '\n' '|')"
-    grep -F 'not carried over' said/m.c | sed 's/^ \*   //' | cmp -s said.want - || wrong "m.c of $file says something else"
+    grep -F 'not carried over' said/m.c | sed 's/^ \*   //' | cmp -s said.want - ||
+        wrong "m.c of $file says something else"
 }
 begin materials_that_are_written
 convert look looks/looks.gltf
-holds look/m.c '{ .shader = &zs_shade_cutout_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK, .texture = &m_texture[0] }, /* "leaf" */'
-holds look/m.c '{ .material = { .shader = &zs_blend_texture_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_NONE, .texture = &m_texture[1] }, .alpha = 255 }, /* "fade" */'
-holds look/m.c '.alpha = 102 }, /* "glass" */'
-holds look/m.c '{ .shader = &zs_shade_smooth, .rgb = { 255, 153, 51 }, .cull = ZS_CULL_NONE }, /* "both sides" */'
-holds look/m.c '{ .shader = &zs_shade_raw, .rgb = { 255, 204, 51 }, .cull = ZS_CULL_BACK }, /* "lamp" */'
-holds look/m.c '.shader = &zs_shade_texture, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK, .texture = &m_texture[2] }, /* "unlit" */'
-holds look/m.c '{ .shader = &zs_shade_texture_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK, .texture = &m_texture[3] }, /* "solid" */'
+white='.rgb = { 255, 255, 255 }'
+line() { # SHADER COLOUR REST
+    holds look/m.c "{ .shader = &zs_$1, $2, .cull = ZS_CULL_$3"
+}
+line shade_cutout_smooth "$white" 'BACK, .texture = &m_texture[0] }, /* "leaf" */'
+line blend_texture_smooth "$white" 'NONE, .texture = &m_texture[1] }, .alpha = 255 }, /* "fade" */'
+line blend_smooth '.rgb = { 51, 153, 255 }' 'BACK }, .alpha = 102 }, /* "glass" */'
+line shade_smooth '.rgb = { 255, 153, 51 }' 'NONE }, /* "both sides" */'
+line shade_raw '.rgb = { 255, 204, 51 }' 'BACK }, /* "lamp" */'
+line shade_texture "$white" 'BACK, .texture = &m_texture[2] }, /* "unlit" */'
+line shade_texture_smooth "$white" 'BACK, .texture = &m_texture[3] }, /* "solid" */'
 holds look/m.c '.alpha_least = 128'
 holds stdout '"hole.png": 64 x 64, pal4a'
 holds stdout '"fade.png": 64 x 32, 4444'
@@ -368,7 +380,7 @@ holds look/m.h 'extern struct zs_lamp m_lamp[1];'
 lacks look/m.h M_METHOD
 convert look looks/metal.gltf
 holds look/m.c '.specular = { 255, 128, 0 }, .emission = { 0, 0, 0 }, .flags = ZS_LIT_TWO_SIDED }, /* "gold" */'
-holds look/m.c '{ .shader = &zs_shade_smooth, .rgb = { 255, 128, 0 }, .cull = ZS_CULL_BACK }, /* "rough" */'
+line shade_smooth '.rgb = { 255, 128, 0 }' 'BACK }, /* "rough" */'
 begin plain_materials_need_no_method
 lacks many_materials/m.h M_METHOD
 lacks many_materials/m.c zs_filter.h

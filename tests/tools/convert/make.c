@@ -246,7 +246,9 @@ static void gltf(const char *folder)
 
 static void leaf(unsigned w, unsigned h, const char *mode, const char *file)
 {
-    png_image image = { .version = PNG_IMAGE_VERSION, .width = w, .height = h, .format = PNG_FORMAT_RGBA };
+    png_image image = {
+        .version = PNG_IMAGE_VERSION, .width = w, .height = h, .format = PNG_FORMAT_RGBA
+    };
     uint8_t *px = malloc((size_t)w * h * 4);
     for (unsigned i = 0; px != NULL && i < w * h; i++) {
         const double u = (i % w + 0.5) / w - 0.5, v = (i / w + 0.5) / h - 0.5;
@@ -254,7 +256,8 @@ static void leaf(unsigned w, unsigned h, const char *mode, const char *file)
         px[4 * i] = 40;
         px[4 * i + 1] = (uint8_t)(120 + 8 * (i % 11));
         px[4 * i + 2] = in ? 30 : 200; /* what is hidden has a colour of its own */
-        px[4 * i + 3] = strcmp(mode, "hole") == 0 ? (uint8_t)(in ? 255 : 0) : (uint8_t)(255 * (i % w) / (w - 1));
+        px[4 * i + 3] = strcmp(mode, "hole") == 0 ? (uint8_t)(in ? 255 : 0)
+                                                  : (uint8_t)(255 * (i % w) / (w - 1));
     }
     if (px == NULL || !png_image_write_to_file(&image, file, 0, px, 0, NULL))
         exit(1);
@@ -280,8 +283,8 @@ static void bowl(const char *path)
 static void looks(const char *folder, const char *name, const char *more, int n, char **material)
 {
     char path[4096];
-    const int p = 12 * N_VERTS, u = 8 * N_VERTS, x = 2 * N_INDEX, at[6] = { 0, p, 2 * p, 2 * p + u, 2 * p + u + x,
-                                                                           2 * p + u + x + 4 * N_VERTS };
+    const int p = 12 * N_VERTS, u = 8 * N_VERTS, x = 2 * N_INDEX,
+              at[6] = { 0, p, 2 * p, 2 * p + u, 2 * p + u + x, 2 * p + u + x + 4 * N_VERTS };
     const int length[6] = { p, p, u, x, 4 * N_VERTS, 16 * N_VERTS };
     const int mesh = strcmp(more, "mesh") == 0 || strcmp(more, "both") == 0;
     const int scene = strcmp(more, "scene") == 0 || strcmp(more, "both") == 0;
@@ -291,47 +294,64 @@ static void looks(const char *folder, const char *name, const char *more, int n,
     FILE *f = fopen(path, "w");
     if (f == NULL)
         exit(1);
-    fprintf(f, "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_lights_punctual\",\"KHR_materials_unlit\"],"
+    fprintf(f, "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_lights_punctual\",\"KHR_"
+               "materials_unlit\"],"
                "\"scene\":0,\"scenes\":[{\"nodes\":[");
     for (int i = 0; i < n + 2 * scene; i++)
         fprintf(f, "%s%d", i ? "," : "", i);
     fprintf(f, "]}],\"nodes\":[");
     for (int i = 0; i < n; i++) /* bowl i leans over bowl i - 1 */
-        fprintf(f, "%s{\"mesh\":%d,\"translation\":[%g,%g,%g]%s}", i ? "," : "", i, 1.5 * i, 0.3 * (i % 2), 0.5 * (i % 3),
-                mesh ? ",\"skin\":0" : "");
+        fprintf(f, "%s{\"mesh\":%d,\"translation\":[%g,%g,%g]%s}", i ? "," : "", i, 1.5 * i,
+                0.3 * (i % 2), 0.5 * (i % 3), mesh ? ",\"skin\":0" : "");
     if (scene)
-        fprintf(f, ",{\"name\":\"eye\",\"camera\":0},{\"name\":\"lamp\",\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}");
+        fprintf(f, ",{\"name\":\"eye\",\"camera\":0},{\"name\":\"lamp\",\"extensions\":{\"KHR_"
+                   "lights_punctual\":{\"light\":0}}}");
     fprintf(f, "],\"meshes\":[");
     for (int i = 0; i < n; i++)
-        fprintf(f, "%s{\"name\":\"bowl%d\",\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2%s},"
-                   "\"indices\":3,\"material\":%d%s}]}",
+        fprintf(f,
+                "%s{\"name\":\"bowl%d\",\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":"
+                "1,\"TEXCOORD_0\":2%s},"
+                "\"indices\":3,\"material\":%d%s}]}",
                 i ? "," : "", i, mesh ? ",\"TEXCOORD_1\":2,\"JOINTS_0\":4,\"WEIGHTS_0\":5" : "", i,
                 mesh ? ",\"targets\":[{\"POSITION\":1}]" : "");
     fprintf(f, "],\"materials\":[");
     for (int i = 0; i < n; i++)
         fprintf(f, "%s%s", i ? "," : "", material[i]);
-    fprintf(f, "],\"textures\":[{\"source\":0},{\"source\":1},{\"source\":2},{\"source\":3}],\"images\":[{\"uri\":\"hole.png\"},"
+    fprintf(f, "],\"textures\":[{\"source\":0},{\"source\":1},{\"source\":2},{\"source\":3}],"
+               "\"images\":[{\"uri\":\"hole.png\"},"
                "{\"uri\":\"fade.png\"},{\"uri\":\"red.png\"},{\"uri\":\"gone.png\"}],");
     if (mesh)
         fprintf(f, "\"skins\":[{\"joints\":[0],\"inverseBindMatrices\":8}],");
     if (scene)
-        fprintf(f, "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}],"
-                   "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\",\"name\":\"lamp\"}]}},"
-                   "\"animations\":[{\"name\":\"walk\",\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,"
-                   "\"path\":\"translation\"}}],\"samplers\":[{\"input\":6,\"output\":7}]}],");
-    fprintf(f, "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\","
-               "\"min\":[-1.2,-1,-1.2],\"max\":[1.2,1,1.2]},{\"bufferView\":1,\"componentType\":5126,\"count\":%d,"
-               "\"type\":\"VEC3\"},{\"bufferView\":2,\"componentType\":5126,\"count\":%d,\"type\":\"VEC2\"},",
-            N_VERTS, N_VERTS, N_VERTS);
-    fprintf(f, "{\"bufferView\":3,\"componentType\":5123,\"count\":%d,\"type\":\"SCALAR\"},{\"bufferView\":4,"
-               "\"componentType\":5121,\"count\":%d,\"type\":\"VEC4\"},{\"bufferView\":5,\"componentType\":5126,"
-               "\"count\":%d,\"type\":\"VEC4\"},",
+        fprintf(f,
+                "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}],"
+                "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\",\"name\":"
+                "\"lamp\"}]}},"
+                "\"animations\":[{\"name\":\"walk\",\"channels\":[{\"sampler\":0,\"target\":{"
+                "\"node\":0,"
+                "\"path\":\"translation\"}}],\"samplers\":[{\"input\":6,\"output\":7}]}],");
+    fprintf(
+        f,
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\","
+        "\"min\":[-1.2,-1,-1.2],\"max\":[1.2,1,1.2]},{\"bufferView\":1,\"componentType\":5126,"
+        "\"count\":%d,"
+        "\"type\":\"VEC3\"},{\"bufferView\":2,\"componentType\":5126,\"count\":%d,\"type\":"
+        "\"VEC2\"},",
+        N_VERTS, N_VERTS, N_VERTS);
+    fprintf(f,
+            "{\"bufferView\":3,\"componentType\":5123,\"count\":%d,\"type\":\"SCALAR\"},{"
+            "\"bufferView\":4,"
+            "\"componentType\":5121,\"count\":%d,\"type\":\"VEC4\"},{\"bufferView\":5,"
+            "\"componentType\":5126,"
+            "\"count\":%d,\"type\":\"VEC4\"},",
             N_INDEX * 2 / 3, N_VERTS, N_VERTS); /* without the lowest third: one looks in */
-    fprintf(f, "{\"bufferView\":5,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},{\"bufferView\":0,"
+    fprintf(f, "{\"bufferView\":5,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},{"
+               "\"bufferView\":0,"
                "\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"},{\"bufferView\":5,"
                "\"componentType\":5126,\"count\":1,\"type\":\"MAT4\"}],\"bufferViews\":[");
     for (int i = 0; i < 6; i++)
-        fprintf(f, "%s{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%d}", i ? "," : "", at[i], length[i]);
+        fprintf(f, "%s{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%d}", i ? "," : "", at[i],
+                length[i]);
     fprintf(f, "],\"buffers\":[{\"uri\":\"bowl.bin\",\"byteLength\":%d}]}\n", at[5] + length[5]);
     fclose(f);
 }
@@ -371,7 +391,8 @@ static void sum(const char *file)
     if (px == NULL || !png_image_finish_read(&image, NULL, px, 0, NULL))
         exit(1);
     for (size_t i = 0; i < (size_t)image.width * image.height; i++) {
-        const unsigned c = (unsigned)(px[3 * i] >> 3 << 11 | px[3 * i + 1] >> 2 << 5 | px[3 * i + 2] >> 3);
+        const unsigned c = (unsigned)(px[3 * i] >> 3 << 11 | px[3 * i + 1] >> 2 << 5 |
+                                      px[3 * i + 2] >> 3);
         h = (h ^ c >> 8) * 16777619u;
         h = (h ^ (c & 255)) * 16777619u;
         colors += !seen[c];
