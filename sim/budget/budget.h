@@ -90,6 +90,12 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
 /* SIM_OK; SIM_REFUSED. Needs rq->o.panel.name. */
 int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const struct zs_config *config);
 
+/* What a request says where nothing is said. */
+void budget_defaults(struct budget_request *rq);
+
+/* A model that is loaded, seen as rq->o says: the same as budget_scene. */
+int budget_model(struct budget *b, const struct budget_request *rq, const struct sim_model *model);
+
 /* The scene of a request: config (its pools where none were asked for), counts, data. SIM_OK; SIM_REFUSED. */
 int budget_scene(struct budget *b, const struct budget_request *rq);
 

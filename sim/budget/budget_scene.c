@@ -164,7 +164,7 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
     return sim_refuse(NULL, 0, "--scene %s: there is no such scene; there are %s", rq->scene, names);
 }
 
-static int of_model(struct budget *b, const struct budget_request *rq)
+int budget_model(struct budget *b, const struct budget_request *rq, const struct sim_model *model)
 {
     static const uint8_t attrs[] = { [SIM_SHADE_ID] = ZS_VARYINGS_FLAT, [SIM_SHADE_FLAT] = ZS_VARYINGS_FLAT,
                                      [SIM_SHADE_SMOOTH] = ZS_VARYINGS_SMOOTH, [SIM_SHADE_TEXTURED] =
@@ -172,16 +172,12 @@ static int of_model(struct budget *b, const struct budget_request *rq)
                                      [SIM_SHADE_TEXTURED_FLAT] = ZS_VARYINGS_TEXTURE, [SIM_SHADE_UNLIT] =
                                          ZS_VARYINGS_TEXTURE };
     const struct sim_options *o = &rq->o;
-    const struct sim_want want = { .normals = sim_options_smooth(o), .textures = sim_options_textured(o), .picture =
-        o->texture, .limits = o->limits };
-    struct sim_model model = { 0 };
     struct sim_view view;
     struct sim_scene scene = { 0 };
-    int status = sim_model_load(&model, o->model, &want);
+    memset(b, 0, sizeof *b);
+    int status = sim_view_plan(&view, o, model);
     if (status == SIM_OK)
-        status = sim_view_plan(&view, o, &model);
-    if (status == SIM_OK)
-        status = sim_scene_build(&scene, &model, &view, o);
+        status = sim_scene_build(&scene, model, &view, o);
     if (status == SIM_OK) {
         set_config(b, rq, (uint16_t)o->size[0], (uint16_t)o->size[1], attrs[o->shade], mapping(rq));
         if (view.orthographic)
@@ -189,6 +185,18 @@ static int of_model(struct budget *b, const struct budget_request *rq)
         status = count_scene(b, rq, o->model, &scene.scene, &scene.camera);
     }
     sim_scene_free(&scene);
+    return status;
+}
+
+static int of_model(struct budget *b, const struct budget_request *rq)
+{
+    const struct sim_options *o = &rq->o;
+    const struct sim_want want = { .normals = sim_options_smooth(o), .textures = sim_options_textured(o), .picture =
+        o->texture, .limits = o->limits, .simplify = o->simplify };
+    struct sim_model model = { 0 };
+    int status = sim_model_load(&model, o->model, &want);
+    if (status == SIM_OK)
+        status = budget_model(b, rq, &model);
     sim_model_free(&model);
     return status;
 }

@@ -10,8 +10,10 @@
 #include "panel_decode.h"
 #include "render.h"
 #include "study.h"
+#include "try.h"
 
 static const struct sim_command commands[] = {
+    { "try", "a model file to a turntable and figures, all of it chosen", sim_try },
     { "render", "a model file to a frame", sim_render },
     { "convert", "a model or picture to const C for firmware", sim_convert },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },

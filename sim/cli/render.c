@@ -22,8 +22,10 @@
 #include "quantise.h"
 #include "false_colors.h"
 #include "sim.h"
+#include "simplify.h"
 #include "stats.h"
 #include "texel_numbers.h"
+#include "turntable.h"
 #include "vec.h"
 #include "framing.h"
 
@@ -196,7 +198,7 @@ static int load(struct job *job)
                                            : o->clamp   ? SIM_WRAP_CLAMP
                                                         : SIM_WRAP_REPEAT,
                                    .color = o->has_color ? &o->color : NULL,
-                                   .limits = o->limits };
+                                   .limits = o->limits, .simplify = o->simplify };
     const int status = sim_model_load(&job->model, o->model, &want);
     if (status != SIM_OK || !want.textures || job->model.n_textures > 0)
         return status;
@@ -208,6 +210,21 @@ static int load(struct job *job)
     return sim_refuse(o->model, 0,
                       "no face of it has a texture and coordinates for it; name a picture by "
                       "--texture, or draw it with --shade smooth");
+}
+
+/* All around, into one file. */
+static int draw_turn(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    struct sim_moving turn = { 0 };
+    int status = load(job);
+    if (status == SIM_OK)
+        status = sim_turntable_draw(&turn, o, &job->model, (uint32_t)o->turntable);
+    sim_progress_end();
+    if (status == SIM_OK)
+        status = sim_moving_save(o->out, &turn);
+    sim_turntable_free(&turn);
+    return status;
 }
 
 static int draw(struct job *job)
@@ -500,9 +517,11 @@ int sim_render(int argc, char **argv)
         if (status == SIM_OK)
             status = check_files(&job->options);
         if (status == SIM_OK)
-            status = draw(job);
-        if (status == SIM_OK)
+            status = job->options.turntable != 0 ? draw_turn(job) : draw(job);
+        if (status == SIM_OK && job->options.turntable == 0)
             status = write_files(job);
+        if (status == SIM_OK)
+            sim_simplify_print(stdout, "", &job->model);
         if (status == SIM_OK && job->options.compare)
             print_diff(&job->diff);
     }

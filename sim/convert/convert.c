@@ -87,7 +87,7 @@ static int load(struct sim_conversion *c)
                                    .picture = o->texture,
                                    .wrap = (enum sim_wrap)o->wrap,
                                    .color = o->has_color ? &o->color : NULL,
-                                   .limits = o->limits };
+                                   .limits = o->limits, .simplify = o->simplify };
     if (o->texture != NULL && (o->look == SIM_LOOK_FLAT || o->look == SIM_LOOK_SMOOTH ||
                                o->look == SIM_LOOK_RAW))
         return sim_refuse(o->input, 0, "--texture needs --shade textured, textured-flat or unlit");

@@ -31,6 +31,7 @@ struct sim_convert_options {
     long texture_size[2];                       /* texels, most: powers of two */
     struct zs_rgb color;
     int has_color, has_unit;  /* flags */
+    const char *simplify;     /* NULL: all triangles */
     struct sim_limits limits; /* of loading the model */
     int for_models;           /* flag: an option that pictures have no use for was given */
     const char *model_option; /* that option, for messages */

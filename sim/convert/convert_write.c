@@ -16,6 +16,7 @@
 #include "convert.h"
 #include "image.h"
 #include "sim.h"
+#include "simplify.h"
 #include "zs_method.h"
 
 #define COLUMNS 100
@@ -429,6 +430,7 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
                       "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32
                       " had none in the file)\n",
                       lead, p->n_flat, p->n_flat_before);
+    sim_simplify_print(f, lead, &c->model);
     const struct sim_steps *s = &c->steps;
     char text[5][32];
     (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n",

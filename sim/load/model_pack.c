@@ -17,19 +17,28 @@
 /* A new field of these that is a pointer needs a row below, or lines in pack_rest and unpack_rest; and what others rely
  * on needs a check. */
 #if UINTPTR_MAX > 0xffffffffu
-_Static_assert(sizeof(struct sim_model) == 192, "struct sim_model has changed: so has what model_pack.c carries");
-_Static_assert(sizeof(struct sim_material) == 16, "struct sim_material has changed: so has what model_pack.c carries");
-_Static_assert(sizeof(struct sim_texture) == 40, "struct sim_texture has changed: so has what model_pack.c carries");
+_Static_assert(sizeof(struct sim_model) == 208,
+               "struct sim_model has changed: so has what model_pack.c carries");
+_Static_assert(sizeof(struct sim_material) == 16,
+               "struct sim_material has changed: so has what model_pack.c carries");
+_Static_assert(sizeof(struct sim_texture) == 40,
+               "struct sim_texture has changed: so has what model_pack.c carries");
 #endif
 
 static const struct array {
-    size_t to, size, count; /* the pointer, an element's bytes, and the uint32_t that says how many */
+    size_t to, size,
+        count; /* the pointer, an element's bytes, and the uint32_t that says how many */
 } arrays[] = {
-#define ARRAY(field, n) \
-    { offsetof(struct sim_model, field), sizeof *((struct sim_model *)0)->field, offsetof(struct sim_model, n) }
-    ARRAY(point, n_points),       ARRAY(tri, n_tris),    ARRAY(normal, n_tris),
-    ARRAY(rgb, n_tris),           ARRAY(uv, n_tris),     ARRAY(has_uv, n_tris),
-    ARRAY(tri_material, n_tris),  ARRAY(material, n_materials), ARRAY(texture, n_textures),
+#define ARRAY(field, n)                                                                            \
+    {                                                                                              \
+        offsetof(struct sim_model, field), sizeof *((struct sim_model *)0)->field,                 \
+            offsetof(struct sim_model, n)                                                          \
+    }
+    ARRAY(point, n_points),      ARRAY(tri, n_tris),
+    ARRAY(normal, n_tris),       ARRAY(rgb, n_tris),
+    ARRAY(uv, n_tris),           ARRAY(has_uv, n_tris),
+    ARRAY(tri_material, n_tris), ARRAY(material, n_materials),
+    ARRAY(texture, n_textures),
 };
 #define N_ARRAYS (sizeof arrays / sizeof arrays[0])
 
@@ -122,7 +131,9 @@ static char *get_text(struct block *b)
 static void get_arrays(struct block *b, struct sim_model *model, const struct sim_model *head)
 {
     for (size_t i = 0; i < N_ARRAYS; i++) {
-        void *p = pointer_of(head, &arrays[i]) != NULL ? get_array(b, count_of(head, &arrays[i]), arrays[i].size) : NULL;
+        void *p = pointer_of(head, &arrays[i]) != NULL
+                      ? get_array(b, count_of(head, &arrays[i]), arrays[i].size)
+                      : NULL;
         memcpy((char *)model + arrays[i].to, &p, sizeof p);
     }
     model->n_materials = model->material != NULL ? model->n_materials : 0;
@@ -154,7 +165,8 @@ static void get_rest(struct block *b, struct sim_model *model, const struct sim_
         t->name = get_text(b);
         b->ok = b->ok && is_side(t->image.width) && is_side(t->image.height) &&
                 t->clamp <= (ZS_CLAMP_U | ZS_CLAMP_V);
-        t->image.rgb = get_array(b, (uint64_t)t->image.width * t->image.height, sizeof *t->image.rgb);
+        t->image.rgb = get_array(b, (uint64_t)t->image.width * t->image.height,
+                                 sizeof *t->image.rgb);
     }
 }
 
@@ -184,11 +196,14 @@ static int faces_are_sound(const struct sim_model *m)
 
 static int is_sound(const struct sim_model *m, const struct sim_want *want)
 {
-    int ok = m->point != NULL && m->tri != NULL && m->rgb != NULL && m->tri_material != NULL && m->n_materials > 0 &&
-             m->n_tris > 0 && m->n_tris <= COUNT_MAX && m->n_points > 0 && (m->normal != NULL) == (want->normals != 0) &&
-             (m->uv != NULL) == (want->textures != 0) && (m->has_uv != NULL) == (want->textures != 0);
-    ok = ok && within(m->point[0], 3 * (size_t)m->n_points, 1e30) && within(m->lo, 3, 1e30) && within(m->hi, 3, 1e30) &&
-         within(m->center, 3, 1e30) && m->radius > 0.0 && m->radius <= 1e31 && faces_are_sound(m);
+    int ok = m->point != NULL && m->tri != NULL && m->rgb != NULL && m->tri_material != NULL &&
+             m->n_materials > 0 && m->n_tris > 0 && m->n_tris <= COUNT_MAX && m->n_points > 0 &&
+             (m->normal != NULL) == (want->normals != 0) &&
+             (m->uv != NULL) == (want->textures != 0) &&
+             (m->has_uv != NULL) == (want->textures != 0);
+    ok = ok && within(m->point[0], 3 * (size_t)m->n_points, 1e30) && within(m->lo, 3, 1e30) &&
+         within(m->hi, 3, 1e30) && within(m->center, 3, 1e30) && m->radius > 0.0 &&
+         m->radius <= 1e31 && faces_are_sound(m);
     for (uint32_t i = 0; ok && i < m->n_materials; i++)
         ok = m->material[i].texture == SIM_NO_TEXTURE || m->material[i].texture < m->n_textures;
     return ok;
