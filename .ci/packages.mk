@@ -1,5 +1,5 @@
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
-PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
+PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev zlib1g-dev libturbojpeg0-dev
 PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
 PKG_TEST = $(PKG_LINUX) ccache $(PKG_PACKAGE) lintian gnuplot-nox g++ clang binutils libcmocka-dev \
            gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \

@@ -11,7 +11,7 @@ GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
 LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_help.c sim/cli/option_table.c sim/panel/panel_bus.c \
             sim/panel/panel_frame.c sim/cli/sim.c sim/cli/value.c
-LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
+LIBS = -lassimp -lmeshoptimizer -lpng -lz -lturbojpeg -lm -pthread
 
 ## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes
 report: $(B)/.setup-report

@@ -16,6 +16,7 @@
 #include "option_table.h"
 #include "record_sizes.h"
 #include "sim.h"
+#include "simplify.h"
 #include "zs_damage.h"
 
 #define AT(field) offsetof(struct budget_request, field)
@@ -56,6 +57,7 @@ static const struct sim_option table[] = {
     { "--texture", SIM_OPTION_FILE, AT(o.texture), .value = "T.png",
       .help = "one picture for all faces in place of the model's own" },
     { "--precise", SIM_OPTION_FLAG, AT(o.precise), .help = "24 bits a coordinate instead of 16, as of zsim convert" },
+    SIM_SIMPLIFY_OPTION(struct budget_request, o.simplify, 0),
     SIM_LOAD_OPTIONS(struct budget_request, o.limits),
     { "Numbers, where there is neither", SIM_OPTION_HEADING },
     { "--scene-tris", SIM_OPTION_COUNT, AT(scene_tris), AT(has_scene_tris), 1, 1e8,
@@ -429,7 +431,7 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
 /* ---- Command line
  * -------------------------------------------------------------------------------------------------------- */
 
-static void defaults(struct budget_request *rq)
+void budget_defaults(struct budget_request *rq)
 {
     memset(rq, 0, sizeof *rq);
     sim_options_defaults(&rq->o);
@@ -462,6 +464,8 @@ static int take(struct budget_request *rq, char seen[N_TABLE], int argc, char **
 static int settle(struct budget_request *rq)
 {
     struct pm_glass glass;
+    if (sim_simplify_check(rq->o.simplify) != SIM_OK)
+        return SIM_USAGE;
     if (rq->scene && rq->o.model)
         return sim_usage("--scene and a model: one of them");
     if (rq->o.panel.name == NULL && rq->o.has_spi)
@@ -539,7 +543,7 @@ int sim_budget(int argc, char **argv)
 {
     static struct budget_request rq;
     char seen[N_TABLE] = { 0 };
-    defaults(&rq);
+    budget_defaults(&rq);
     int status = take(&rq, seen, argc, argv);
     if (status == SIM_OK && rq.help) {
         sim_option_help(table, N_TABLE, &help);

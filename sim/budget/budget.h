@@ -26,6 +26,7 @@ struct budget_request {
     double fragments;          /* depth complexity there */
     int has_tris, has_verts, has_strip, has_core, has_mhz, has_cpi, has_buffer, has_scene_tris, has_scene_verts;
     int state, textbook, csv, help; /* flags */
+    int quiet;                      /* flag: nothing is said of materials that count as others */
     int methods;                    /* flag: --methods */
     long ram;                       /* --ram: bytes for --methods */
 };
@@ -95,6 +96,12 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
                   enum budget_cpu cpu);
 /* SIM_OK; SIM_REFUSED. Needs rq->o.panel.name. */
 int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const struct zs_config *config);
+
+/* What a request says where nothing is said. */
+void budget_defaults(struct budget_request *rq);
+
+/* A model that is loaded, seen as rq->o says: the same as budget_scene. */
+int budget_model(struct budget *b, const struct budget_request *rq, const struct sim_model *model);
 
 /* The scene of a request: config (its pools where none were asked for), counts, data. SIM_OK; SIM_REFUSED. */
 int budget_scene(struct budget *b, const struct budget_request *rq);

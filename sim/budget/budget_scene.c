@@ -179,24 +179,25 @@ static int has_effects(const struct zs_scene *scene)
 }
 
 /* Its bytes are those of its materials; shaders that costs.h does not know are counted as plain ones. */
-static int of_model(struct budget *b, const struct budget_request *rq)
+int budget_model(struct budget *b, const struct budget_request *rq, const struct sim_model *model)
 {
     struct sim_options o = rq->o;
-    struct sim_model model;
     struct sim_view view;
     struct sim_scene scene = { 0 };
-    int status = sim_scene_load(&model, &o);
+    memset(b, 0, sizeof *b);
+    int status = sim_view_plan(&view, &o, model);
     if (status == SIM_OK)
-        status = sim_view_plan(&view, &o, &model);
-    if (status == SIM_OK)
-        status = sim_scene_build(&scene, &model, &view, &o);
+        status = sim_scene_build(&scene, model, &view, &o);
     const uint32_t data = (uint32_t)scene.data_bytes;
     if (status == SIM_OK && has_effects(&scene.scene)) {
-        (void)fprintf(stderr, "%s: %s: materials with transparency, highlights or emission count as plain ones, but for their bytes\n",
-                      sim_program, o.model);
+        if (!rq->quiet)
+            (void)fprintf(stderr,
+                          "%s: %s: materials with transparency, highlights or emission count as plain ones, but for "
+                          "their bytes\n",
+                          sim_program, o.model);
         o.opaque = 1;
         sim_scene_free(&scene);
-        status = sim_scene_build(&scene, &model, &view, &o);
+        status = sim_scene_build(&scene, model, &view, &o);
     }
     if (status == SIM_OK) {
         set_config(b, rq, (uint16_t)o.size[0], (uint16_t)o.size[1], sim_scene_varyings(&scene.scene), mapping(rq));
@@ -206,6 +207,16 @@ static int of_model(struct budget *b, const struct budget_request *rq)
         b->data = data;
     }
     sim_scene_free(&scene);
+    return status;
+}
+
+static int of_model(struct budget *b, const struct budget_request *rq)
+{
+    struct budget_request with = *rq;
+    struct sim_model model = { 0 };
+    int status = sim_scene_load(&model, &with.o);
+    if (status == SIM_OK)
+        status = budget_model(b, &with, &model);
     sim_model_free(&model);
     return status;
 }

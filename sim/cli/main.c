@@ -11,8 +11,10 @@
 #include "panel_decode.h"
 #include "render.h"
 #include "study.h"
+#include "try.h"
 
 static const struct sim_command commands[] = {
+    { "try", "a model file to a turntable and figures, all of it chosen", sim_try },
     { "render", "a model file to a frame", sim_render },
     { "convert", "a model or picture to const C for firmware", sim_convert },
     { "new", "a model to a project of its own, which draws it on a board or in an emulator", sim_new },

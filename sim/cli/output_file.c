@@ -126,8 +126,8 @@ static void remove_left_over(const char *folder)
         (void)close(dir);
 }
 
-/* A new file by a pattern, locked. Another zsim may take it for one that is left over before it is locked: then there is
- * one more. -1: errno says why. */
+/* A new file by a pattern, locked. Another zsim may take it for one that is left over before it is locked: then there
+ * is one more. -1: errno says why. */
 static int open_locked(char *pattern)
 {
     char *ending = pattern + strlen(pattern) - 6;

@@ -24,8 +24,10 @@
 #include "scene_parts.h"
 #include "false_colors.h"
 #include "sim.h"
+#include "simplify.h"
 #include "stats.h"
 #include "texel_numbers.h"
+#include "turntable.h"
 #include "vec.h"
 #include "framing.h"
 
@@ -201,6 +203,21 @@ static int draw_frame(struct job *job)
         err = sim_show_draw(&job->shown, &job->show_sum, o->show, &job->scene.scene, &job->scene.camera, &job->config,
                             job->scene.unit);
     return err == ZS_OK ? SIM_OK : refuse_frame(job, err);
+}
+
+/* All around, into one file. */
+static int draw_turn(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    struct sim_moving turn = { 0 };
+    int status = sim_scene_load(&job->model, &job->options);
+    if (status == SIM_OK)
+        status = sim_turntable_draw(&turn, o, &job->model, (uint32_t)o->turntable);
+    sim_progress_end();
+    if (status == SIM_OK)
+        status = sim_moving_save(o->out, &turn);
+    sim_turntable_free(&turn);
+    return status;
 }
 
 static int draw(struct job *job)
@@ -500,11 +517,13 @@ int sim_render(int argc, char **argv)
         if (status == SIM_OK)
             status = check_files(&job->options);
         if (status == SIM_OK)
-            status = draw(job);
-        if (status == SIM_OK)
+            status = job->options.turntable != 0 ? draw_turn(job) : draw(job);
+        if (status == SIM_OK && job->options.turntable == 0)
             status = write_files(job);
         if (status == SIM_OK)
             say_losses(job);
+        if (status == SIM_OK)
+            sim_simplify_print(stdout, "", &job->model);
         if (status == SIM_OK && job->options.compare)
             print_diff(&job->diff);
     }

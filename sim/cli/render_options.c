@@ -14,6 +14,8 @@
 #include "option_help.h"
 #include "option_table.h"
 #include "sim.h"
+#include "simplify.h"
+#include "turntable.h"
 
 #define AT(field) offsetof(struct sim_options, field)
 
@@ -25,6 +27,9 @@ static const struct sim_option table[] = {
       .help = "depth keys, 16-bit PGM; 65535: nothing drawn" },
     { "--id-out", SIM_OPTION_FILE, AT(id_out), .value = "I.u32",
       .help = "little-endian uint32 a pixel: triangle in file order + 1; 0: none" },
+    { "--turntable", SIM_OPTION_COUNT, AT(turntable), 0, 1, SIM_TURNTABLE_MAX,
+      .help = "N views, {range}, of the model as it turns once around; --out is an animated PNG then, or a GIF where "
+              "its name ends so" },
     { "--stats", SIM_OPTION_FILE, AT(stats), .value = "S.json", .help = "what the frame took, an object of numbers" },
     { "--explain", SIM_OPTION_FLAG, AT(explain),
       .help = "what is wrong with the picture, in sentences on stderr; without it on a terminal, if nothing is seen" },
@@ -106,6 +111,7 @@ static const struct sim_option table[] = {
     { "--diffuse", SIM_OPTION_NUMBER, AT(diffuse), 0, 0, 1, .value = "D",
       .help = "what is added where a face looks straight at the light (0.75)" },
     SIM_EFFECT_OPTIONS(struct sim_options, effects),
+    SIM_SIMPLIFY_OPTION(struct sim_options, simplify, 0),
     SIM_LOAD_OPTIONS(struct sim_options, limits),
     { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
@@ -317,6 +323,13 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--show is about what the renderer does: leave --reference out");
     if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)
         return sim_usage("--show does not go through a panel: leave --panel out");
+    if (o->turntable != 0 && (o->depth_out != NULL || o->id_out != NULL || o->stats != NULL || o->reference ||
+                              o->compare || o->show != SIM_SHOW_FRAME))
+        return sim_usage("--turntable writes pictures alone: leave --depth-out, --id-out, --stats, --reference, "
+                         "--compare and --show out");
+    status = sim_simplify_check(o->simplify);
+    if (status != SIM_OK)
+        return status;
     status = sim_effects_take(&o->effects, o->light, &o->has_light, o->model);
     if (status == SIM_OK)
         status = check_effects(o);

@@ -73,6 +73,8 @@ struct sim_options {
     long spi_hz;                 /* of its wire */
     int has_size, has_spi;
     struct sim_effect_options effects;
+    const char *simplify;        /* NULL: all triangles */
+    long turntable;              /* views of a turn; 0: one frame */
     struct sim_limits limits;    /* of loading the model */
 };
 

@@ -16,6 +16,7 @@
 #include "option_help.h"
 #include "option_table.h"
 #include "sim.h"
+#include "simplify.h"
 
 #define NAME_MAX_CHARS 40
 #define UNIT_MIN 1e-30
@@ -59,6 +60,7 @@ static const struct sim_option table[] = {
       .help = "one colour for the whole model" },
     { "--bvh", SIM_OPTION_FLAG, AT(bvh), .use = FOR_MODELS | SHOWN,
       .help = "a hierarchy of spheres for zs_method_raycast, 16 bytes a node" },
+    SIM_SIMPLIFY_OPTION(struct sim_convert_options, simplify, FOR_MODELS | SHOWN),
     { "--map", SIM_OPTION_PATH, AT(map), .use = FOR_MODELS, .value = "F.u32",
       .help = "for each triangle written, in order, its number in the file + 1, as in zsim render --id-out; "
               "little-endian uint32" },
@@ -322,7 +324,8 @@ static int check_values(const struct sim_convert_options *o)
                               "--texture-size %ldx%ld: each side is a power of two, 1 to %u texels",
                               o->texture_size[0], o->texture_size[1], SIM_TEXTURE_MAX);
     }
-    return check_name(o->name);
+    const int status = sim_simplify_check(o->simplify);
+    return status == SIM_OK ? check_name(o->name) : status;
 }
 
 int sim_convert_parse(struct sim_convert_options *o, int argc, char **argv)

@@ -42,6 +42,7 @@ struct sim_convert_options {
     int opaque;               /* flag: no material is transparent or has highlights, and alpha of texels does nothing */
     int by_material;          /* flag: unlit materials get a shader of their own */
     int has_color, has_unit;  /* flags */
+    const char *simplify;     /* NULL: all triangles */
     struct sim_limits limits; /* of loading the model */
     int for_models;           /* flag: an option that pictures have no use for was given */
     const char *model_option; /* that option, for messages */

@@ -17,6 +17,7 @@
 #include "image.h"
 #include "sim.h"
 #include "zs_lights.h"
+#include "simplify.h"
 #include "zs_method.h"
 
 #define COLUMNS 100
@@ -528,6 +529,7 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
                       " had none in the file)\n",
                       lead, p->n_flat, p->n_flat_before);
     sim_losses_print(f, lead, p->lost);
+    sim_simplify_print(f, lead, &c->model);
     const struct sim_steps *s = &c->made.steps;
     char text[5][32];
     (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n",

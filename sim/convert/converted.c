@@ -57,7 +57,8 @@ int sim_convert_load(struct sim_model *model, struct sim_convert_options *o)
                                    .lenient = free_choice,
                                    .wrap = (enum sim_wrap)o->wrap,
                                    .color = o->has_color ? &o->color : NULL,
-                                   .limits = o->limits };
+                                   .limits = o->limits,
+                                   .simplify = o->simplify };
     memset(model, 0, sizeof *model);
     if (o->texture != NULL && !free_choice && !is_textured(o))
         return sim_refuse(o->input, 0, "--texture needs --shade textured, textured-flat or unlit");

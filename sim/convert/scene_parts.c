@@ -43,6 +43,7 @@ void sim_scene_wish(struct sim_convert_options *c, const struct sim_options *o)
     sim_convert_defaults(c);
     c->input = o->model;
     c->limits = o->limits;
+    c->simplify = o->simplify;
     c->texture = o->texture;
     c->look = looks[o->shade];
     c->wrap = !o->has_wrap ? SIM_WRAP_FILE : o->clamp ? SIM_WRAP_CLAMP : SIM_WRAP_REPEAT;

@@ -1,8 +1,8 @@
 /* Loading in a process of its own. The child reads the file and writes the model into a pipe; whatever ends it, the
  * parent says one sentence and goes on.
  *
- * Under AddressSanitizer, whose shadow takes terabytes of addresses, there is no limit of memory, and its own reports are
- * printed.
+ * Under AddressSanitizer, whose shadow takes terabytes of addresses, there is no limit of memory, and its own reports
+ * are printed.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -36,7 +36,8 @@
 #define MEGABYTE 1048576.0
 #define STACK_BYTES (8u << 20)
 #define STACK_SPENT 77 /* exit status: it was not enough */
-#define PATIENCE 8     /* times as long on the clock as of CPU time: a disk may be slow, and other programs run */
+#define PATIENCE                                                                                   \
+    8 /* times as long on the clock as of CPU time: a disk may be slow, and other programs run */
 
 /* Limits of one file, as numbers. */
 struct cage {
@@ -48,8 +49,10 @@ struct cage {
 static struct cage cage_for(const char *file, const struct sim_limits *limits)
 {
     struct stat st;
-    const double size = stat(file, &st) == 0 && S_ISREG(st.st_mode) ? (double)st.st_size / MEGABYTE : 0.0;
-    const double machine = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE) / MEGABYTE;
+    const double size = stat(file, &st) == 0 && S_ISREG(st.st_mode) ? (double)st.st_size / MEGABYTE
+                                                                    : 0.0;
+    const double machine = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE) /
+                           MEGABYTE;
     double megabytes = 1536.0 + 64.0 * size, seconds = 20.0 + size;
     if (megabytes > 0.75 * machine)
         megabytes = 0.75 * machine;
@@ -59,14 +62,16 @@ static struct cage cage_for(const char *file, const struct sim_limits *limits)
         seconds = (double)limits->seconds;
     if (sizeof(void *) < 8 && megabytes > 3072.0)
         megabytes = 3072.0;
-    return (struct cage){ file, (uint64_t)(megabytes * MEGABYTE), (long)(seconds < 1e6 ? seconds : 1e6) };
+    return (struct cage){ file, (uint64_t)(megabytes * MEGABYTE),
+                          (long)(seconds < 1e6 ? seconds : 1e6) };
 }
 
 static const char *no_memory(const struct cage *c)
 {
     static char text[4096];
     (void)snprintf(text, sizeof text,
-                   "%.3000s: loading it takes more than %.0f MB of memory; it may be damaged. Where you trust it, give "
+                   "%.3000s: loading it takes more than %.0f MB of memory; it may be damaged. "
+                   "Where you trust it, give "
                    "--load-memory more",
                    c->file, (double)c->bytes / MEGABYTE);
     return text;
@@ -103,7 +108,8 @@ static void limit(int what, uint64_t most)
     struct rlimit now;
     if (getrlimit(what, &now) != 0)
         return;
-    now.rlim_cur = now.rlim_max == RLIM_INFINITY || most < now.rlim_max ? (rlim_t)most : now.rlim_max;
+    now.rlim_cur = now.rlim_max == RLIM_INFINITY || most < now.rlim_max ? (rlim_t)most
+                                                                        : now.rlim_max;
     (void)setrlimit(what, &now);
 }
 
@@ -132,7 +138,8 @@ static _Noreturn void child(int fd, const struct cage *c, const struct sim_want 
         if (f != NULL)
             sim_model_pack(f, &model);
         if (f == NULL || ferror(f) || fclose(f) != 0)
-            status = sim_refuse(c->file, 0, "its model could not be handed over: %s", strerror(errno));
+            status = sim_refuse(c->file, 0, "its model could not be handed over: %s",
+                                strerror(errno));
     }
     sim_model_free(&model);
     sim_progress_end();
@@ -162,7 +169,8 @@ static enum reading read_all(struct handed *to, int from, const struct cage *c)
     for (;;) {
         struct pollfd on = { .fd = from, .events = POLLIN };
         const double left = due - now();
-        const int ready = left > 0.0 ? poll(&on, 1, left < 1000.0 ? (int)(left * 1e3) + 1 : 1000000) : 0;
+        const int ready = left > 0.0 ? poll(&on, 1, left < 1000.0 ? (int)(left * 1e3) + 1 : 1000000)
+                                     : 0;
         if (left <= 0.0)
             return TOO_LONG;
         if (ready <= 0)
@@ -183,7 +191,8 @@ static enum reading read_all(struct handed *to, int from, const struct cage *c)
 /* What ended it, if not that it was done or has said why not. */
 static int say_why(const struct cage *c, enum reading read, int ended)
 {
-    const int number = WIFSIGNALED(ended) ? WTERMSIG(ended) : 0, code = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+    const int number = WIFSIGNALED(ended) ? WTERMSIG(ended) : 0,
+              code = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
     if (read == DONE && (code == SIM_OK || code == SIM_REFUSED))
         return code;
     sim_progress_lost();
@@ -191,19 +200,26 @@ static int say_why(const struct cage *c, enum reading read, int ended)
         return sim_refuse(NULL, 0, "%s", no_memory(c));
     if (read == TOO_LONG || number == SIGXCPU)
         return sim_refuse(c->file, 0,
-                          "loading it takes more than %ld s; it may never end. Where you trust it, give --load-seconds "
+                          "loading it takes more than %ld s; it may never end. Where you trust it, "
+                          "give --load-seconds "
                           "more",
                           c->seconds);
     if (code == STACK_SPENT)
-        return sim_refuse(c->file, 0, "cannot be loaded: its parts are nested too deep; flatten the model");
+        return sim_refuse(c->file, 0,
+                          "cannot be loaded: its parts are nested too deep; flatten the model");
     if (number != 0)
-        return sim_refuse(c->file, 0, "cannot be loaded: the loader was ended by signal %d (%s); the file may be damaged",
-                          number, strsignal(number));
-    return sim_refuse(c->file, 0, "cannot be loaded: the loader ended with status %d; the file may be damaged", code);
+        return sim_refuse(
+            c->file, 0,
+            "cannot be loaded: the loader was ended by signal %d (%s); the file may be damaged",
+            number, strsignal(number));
+    return sim_refuse(c->file, 0,
+                      "cannot be loaded: the loader ended with status %d; the file may be damaged",
+                      code);
 }
 
 /* The model of a child that writes into a pipe. */
-static int take_model(struct sim_model *model, pid_t pid, int from, const struct cage *c, const struct sim_want *want)
+static int take_model(struct sim_model *model, pid_t pid, int from, const struct cage *c,
+                      const struct sim_want *want)
 {
     struct handed handed = { 0 };
     int ended = 0;
@@ -213,8 +229,11 @@ static int take_model(struct sim_model *model, pid_t pid, int from, const struct
     while (waitpid(pid, &ended, 0) < 0 && errno == EINTR) {
     }
     int status = say_why(c, read, ended);
-    if (status == SIM_OK && sim_model_unpack(model, handed.bytes, handed.n, c->file, want) != SIM_OK)
-        status = sim_refuse(c->file, 0, "cannot be loaded: the loader left no sound model; the file may be damaged");
+    if (status == SIM_OK &&
+        sim_model_unpack(model, handed.bytes, handed.n, c->file, want) != SIM_OK)
+        status = sim_refuse(
+            c->file, 0,
+            "cannot be loaded: the loader left no sound model; the file may be damaged");
     free(handed.bytes);
     return status;
 }

@@ -23,6 +23,7 @@
 #include "outside.h"
 #include "scan.h"
 #include "sim.h"
+#include "simplify.h"
 #include "vec.h"
 
 #define COORD_MAX 1e30  /* products of three lengths fit a double */
@@ -792,6 +793,10 @@ static int build(struct load *l)
         fill_normals(model);
     if (status == SIM_OK)
         count_losses(l);
+    if (status == SIM_OK && l->want->simplify != NULL) {
+        sim_simplify(model, l->want->simplify);
+        status = fill_bounds(model);
+    }
     if (status == SIM_OK && l->want->textures)
         status = sim_material_textures(model, l->scene, l->use, l->want);
     return status;

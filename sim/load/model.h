@@ -49,6 +49,8 @@ struct sim_model {
     int file_normals;        /* 1: normals were asked for, and the file gives some corner one */
     double lo[3], hi[3];     /* box around the points */
     double center[3], radius; /* of a sphere around the points, > 0 */
+    double simplify_error;    /* of the extent, where simplified_from is not 0 */
+    uint32_t simplified_from; /* triangles in the file, where it was simplified; 0: it was not */
 };
 
 enum sim_wrap { SIM_WRAP_FILE, SIM_WRAP_REPEAT, SIM_WRAP_CLAMP };
@@ -70,6 +72,7 @@ struct sim_want {
     int lenient;  /* flag: with textures, without picture: one that cannot be loaded is noted in lost */
     enum sim_wrap wrap;         /* with textures: as the file says, or one mode for all, both axes */
     const struct zs_rgb *color; /* of everything; NULL: as below */
+    const char *simplify;       /* as sim_simplify takes it; NULL: all triangles */
     struct sim_limits limits;
 };
 

@@ -17,19 +17,25 @@
 /* A new field of these that is a pointer needs a row below, or lines in pack_rest and unpack_rest; and what others rely
  * on needs a check. */
 #if UINTPTR_MAX > 0xffffffffu
-_Static_assert(sizeof(struct sim_model) == 1160, "struct sim_model has changed: so has what model_pack.c carries");
+_Static_assert(sizeof(struct sim_model) == 1176, "struct sim_model has changed: so has what model_pack.c carries");
 _Static_assert(sizeof(struct sim_material) == 32, "struct sim_material has changed: so has what model_pack.c carries");
 _Static_assert(sizeof(struct sim_texture) == 48, "struct sim_texture has changed: so has what model_pack.c carries");
 #endif
 
 static const struct array {
-    size_t to, size, count; /* the pointer, an element's bytes, and the uint32_t that says how many */
+    size_t to, size,
+        count; /* the pointer, an element's bytes, and the uint32_t that says how many */
 } arrays[] = {
-#define ARRAY(field, n) \
-    { offsetof(struct sim_model, field), sizeof *((struct sim_model *)0)->field, offsetof(struct sim_model, n) }
-    ARRAY(point, n_points),       ARRAY(tri, n_tris),    ARRAY(normal, n_tris),
-    ARRAY(rgb, n_tris),           ARRAY(uv, n_tris),     ARRAY(has_uv, n_tris),
-    ARRAY(tri_material, n_tris),  ARRAY(material, n_materials), ARRAY(texture, n_textures),
+#define ARRAY(field, n)                                                                            \
+    {                                                                                              \
+        offsetof(struct sim_model, field), sizeof *((struct sim_model *)0)->field,                 \
+            offsetof(struct sim_model, n)                                                          \
+    }
+    ARRAY(point, n_points),      ARRAY(tri, n_tris),
+    ARRAY(normal, n_tris),       ARRAY(rgb, n_tris),
+    ARRAY(uv, n_tris),           ARRAY(has_uv, n_tris),
+    ARRAY(tri_material, n_tris), ARRAY(material, n_materials),
+    ARRAY(texture, n_textures),
 };
 #define N_ARRAYS (sizeof arrays / sizeof arrays[0])
 
@@ -125,7 +131,9 @@ static char *get_text(struct block *b)
 static void get_arrays(struct block *b, struct sim_model *model, const struct sim_model *head)
 {
     for (size_t i = 0; i < N_ARRAYS; i++) {
-        void *p = pointer_of(head, &arrays[i]) != NULL ? get_array(b, count_of(head, &arrays[i]), arrays[i].size) : NULL;
+        void *p = pointer_of(head, &arrays[i]) != NULL
+                      ? get_array(b, count_of(head, &arrays[i]), arrays[i].size)
+                      : NULL;
         memcpy((char *)model + arrays[i].to, &p, sizeof p);
     }
     model->n_materials = model->material != NULL ? model->n_materials : 0;

@@ -13,8 +13,8 @@
 #include "sim.h"
 
 static const char *model;
-static int all;     /* flag: all folders are the model's */
-static char *kept;  /* a path that may not be read; NULL: none */
+static int all;       /* flag: all folders are the model's */
+static char *kept;    /* a path that may not be read; NULL: none */
 static int irregular; /* flag: because it is no regular file */
 
 static char *joined(const char *a, const char *b)
@@ -117,7 +117,8 @@ int sim_outside_check(void)
     if (irregular)
         return sim_refuse(model, 0, "names %s, which is not a regular file; copy it to one", kept);
     return sim_refuse(model, 0,
-                      "names %s, which is outside the model's folder; copy it there, or give --allow-outside where you "
+                      "names %s, which is outside the model's folder; copy it there, or give "
+                      "--allow-outside where you "
                       "trust the model",
                       kept);
 }

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Models from strangers: whatever a file does to the loader, zsim says one sentence, ends with status 1 within seconds and
-# leaves no file. What a model names outside its folder is not read.
-# Usage: tests/tools/loading.sh BUILD     from the repository's top; BUILD/test/zsim, and BUILD/zsim, which has limits of
-#        memory: AddressSanitizer leaves none
+# Models from strangers: whatever a file does to the loader, zsim says one sentence, ends with status 1 within seconds
+# and leaves no file. What a model names outside its folder is not read.
+# Usage: tests/tools/loading.sh BUILD     from the repository's top; BUILD/test/zsim, and BUILD/zsim, which has limits
+#        of memory: AddressSanitizer leaves none
 set -u
 build=$(cd "$1" && pwd) || exit 1
 set -- "$build/test/zsim" "$build/test/loading"
@@ -11,19 +11,21 @@ sanitized=$zsim plain=$build/zsim
 gcc -O1 -Wall -Wextra -Werror "$top/tests/tools/mutate.c" -o mutate || exit 1
 gcc -O1 -Wall -Wextra -Werror -shared -fPIC "$top/tests/tools/loader_fault.c" -o fault.so || exit 1
 
-# ---- Models: a triangle, 1 to 36 the bytes of its positions ------------------------------------------------------------
+# ---- Models: a triangle, 1 to 36 the bytes of its positions -------------------------------------
 one='\000\000\200\077' nul='\000\000\000\000'
 tri() { printf "$nul$nul$nul$one$nul$nul$nul$one$nul"; }
 inline='data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA'
 gltf() { # NODES BUFFER [MATERIALS AND TEXTURES]
     printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[%s],' "$1"
-    printf '"meshes":[{"primitives":[{"attributes":{"POSITION":0%s}%s}]}],' "${3:+,\"TEXCOORD_0\":1}" "${3:+,\"material\":0}"
+    printf '"meshes":[{"primitives":[{"attributes":{"POSITION":0%s}%s}]}],' "${3:+,\"TEXCOORD_0\":1}" \
+        "${3:+,\"material\":0}"
     printf '"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},'
     printf '{"bufferView":0,"componentType":5126,"count":3,"type":"VEC2"}],'
     printf '"bufferViews":[{"buffer":0,"byteLength":36}],%s"buffers":[{"uri":"%s","byteLength":36}]}' "${3:-}" "$2"
 }
 textured() { # NAME PICTURE
-    gltf '{"mesh":0}' "$inline" "\"images\":[{\"uri\":\"$2\"}],\"textures\":[{\"source\":0}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]," >"$1"
+    gltf '{"mesh":0}' "$inline" "\"images\":[{\"uri\":\"$2\"}],\"textures\":[{\"source\":0}],\"materials\":[{
+        \"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]," >"$1"
 }
 gltf '{"mesh":0}' "$inline" >tri.gltf
 obj tri 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'f 1 2 3'
@@ -53,7 +55,7 @@ drawn() { # MODEL OPTION...
     [ $status -eq 0 ] && [ ! -s stderr ] || wrong "status $status: $(said)"
 }
 
-# ---- Files that are none -----------------------------------------------------------------------------------------------
+# ---- Files that are none ------------------------------------------------------------------------
 mkfifo fifo.obj fifo.gltf fifo.bin fifo.png
 : >empty.gltf
 : >empty.ply
@@ -85,7 +87,7 @@ refused_soon picture_zero.gltf '/dev/zero, which is not a regular file' --shade 
 z render picture_fifo.gltf --out refused/new.png --shade unlit --texture fifo.png
 one_line 1 'fifo.png: is not a regular file'
 
-# ---- Outside -----------------------------------------------------------------------------------------------------------
+# ---- Outside ------------------------------------------------------------------------------------
 mkdir -p models/own elsewhere
 tri >elsewhere/far.bin
 tri >models/own/near.bin
@@ -133,21 +135,24 @@ begin nothing_outside_is_looked_at
 gltf '{"mesh":0}' ../elsewhere/there_is_none.bin >models/out.gltf
 refused_soon models/out.gltf 'there_is_none.bin, which is outside'
 
-# ---- Limits ------------------------------------------------------------------------------------------------------------
+# ---- Limits -------------------------------------------------------------------------------------
 zsim=$plain
 begin nested_nodes
-gltf "$(awk 'BEGIN { for (i = 1; i < 100000; i++) printf "{\"children\":[%d]},", i; print "{\"mesh\":0}" }')" "$inline" >deep.gltf
+nodes=$(awk 'BEGIN { for (i = 1; i < 100000; i++) printf "{\"children\":[%d]},", i; print "{\"mesh\":0}" }')
+gltf "$nodes" "$inline" >deep.gltf
 refused_soon deep.gltf 'nested too deep'
 begin nested_brackets
 awk 'BEGIN { printf "{\"asset\":{\"version\":\"2.0\"},\"x\":"; for (i = 0; i < 200000; i++) printf "["
     for (i = 0; i < 200000; i++) printf "]"; print "}" }' >brackets.gltf
 refused_soon brackets.gltf 'nested too deep'
 begin nodes_named_twice
-gltf "$(awk 'BEGIN { for (i = 1; i < 40; i++) printf "{\"children\":[%d,%d]},", i, i; print "{\"mesh\":0}" }')" "$inline" >twice.gltf
+nodes=$(awk 'BEGIN { for (i = 1; i < 40; i++) printf "{\"children\":[%d,%d]},", i, i; print "{\"mesh\":0}" }')
+gltf "$nodes" "$inline" >twice.gltf
 refused_soon twice.gltf 'MB of memory'
 refused_soon twice.gltf 'more than 200 MB of memory' --load-memory 200
 begin memory_is_as_much_as_is_given
-awk 'BEGIN { for (i = 0; i < 300000; i++) print "v", i, i % 7, i % 11; for (i = 1; i < 299998; i++) print "f", i, i + 1, i + 2 }' >many.obj
+awk 'BEGIN { for (i = 0; i < 300000; i++) print "v", i, i % 7, i % 11
+    for (i = 1; i < 299998; i++) print "f", i, i + 1, i + 2 }' >many.obj
 refused_soon many.obj 'more than 100 MB of memory' --load-memory 100
 drawn many.obj --load-memory 2000
 begin model_that_aborts_the_loader # an archive whose model is empty
@@ -161,7 +166,7 @@ AAAAAA==
 END
 refused_soon empty.3mf 'cannot be loaded'
 
-# ---- A loader that goes wrong ------------------------------------------------------------------------------------------
+# ---- A loader that goes wrong -------------------------------------------------------------------
 fault() { # HOW WHAT-THE-LINE-HOLDS OPTION...
     begin "loader_$1"
     how=$1 what=$2
@@ -203,7 +208,7 @@ done
 [ ! -e "/proc/${child:-0}" ] || wrong "the loader lives on"
 untouched
 
-# ---- Mutations ---------------------------------------------------------------------------------------------------------
+# ---- Mutations ----------------------------------------------------------------------------------
 zsim=$sanitized
 mutations() { # FILE COUNT: each is drawn, or refused with a sentence
     end=${1##*.}
@@ -216,9 +221,14 @@ mutations() { # FILE COUNT: each is drawn, or refused with a sentence
         [ $status -eq 0 ] || grep -q '^zsim: ' stderr || wrong "mutation $seed of $1: $(said)"
     done
 }
-printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >mutate.ply
+{
+    printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n'
+    printf 'element face 2\nproperty list uchar int vertex_indices\nend_header\n'
+    printf '0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n'
+} >mutate.ply
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >mutate.off
-printf 'mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3//1\nf -3 -2 -1\n' >mutate.obj
+printf 'mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3//1\nf -3 -2 -1\n' \
+    >mutate.obj
 begin mutations_by_the_checked_program
 mutations mutate.ply 12
 mutations mutate.off 12
@@ -232,7 +242,7 @@ mutations mutate.obj 60
 mutations tri.gltf 60
 mutations empty.3mf 20
 
-# ---- Temporary files ---------------------------------------------------------------------------------------------------
+# ---- Temporary files ----------------------------------------------------------------------------
 begin killed_and_run_again
 mkfifo wait.pgm # opening it waits for a reader, when the picture is already on the disk
 "$zsim" render tri.obj --out refused/new.png --depth-out wait.pgm >stdout 2>stderr &

@@ -1,5 +1,5 @@
-/* A copy of a file with a few bytes that are others, by a seed: flipped bits, bytes of 0 or 255, one number in a text more
- * or less, a piece twice or left out.
+/* A copy of a file with a few bytes that are others, by a seed: flipped bits, bytes of 0 or 255, another digit, a piece
+ * twice or left out.
  * mutate FILE SEED >COPY
  *
  * SPDX-License-Identifier: MIT
@@ -32,14 +32,20 @@ int main(int argc, char **argv)
         const size_t at = below(n), some = 1 + below(8);
         unsigned char *b = &bytes[at];
         switch (below(6)) {
-        case 0: *b ^= (unsigned char)(1u << below(8)); break;
-        case 1: *b = below(2) != 0 ? 255 : 0; break;
+        case 0:
+            *b ^= (unsigned char)(1u << below(8));
+            break;
+        case 1:
+            *b = below(2) != 0 ? 255 : 0;
+            break;
         case 2: /* the next digit */
             while (b < bytes + n - 1 && (*b < '0' || *b > '9'))
                 b++;
             *b = (unsigned char)('0' + below(10));
             break;
-        case 3: memset(b, 255, at + some < n ? some : n - at); break;
+        case 3:
+            memset(b, 255, at + some < n ? some : n - at);
+            break;
         case 4: /* twice */
             memmove(b + some, b, n - at);
             n += some;

@@ -25,6 +25,7 @@
 #include "render.h"
 #include "sim.h"
 #include "study.h"
+#include "try.h"
 
 #define WIDTH 110
 #define OPTIONS_MAX 1024 /* that sources name */
@@ -49,6 +50,7 @@ static const struct command {
     int (*run)(int argc, char **argv);
     const char *words[WORDS_MAX - 2];
 } commands[] = {
+    { "zsim try", sim_try, { "none.obj" } },
     { "zsim render", sim_render, { "none.obj", "--out", "none/none.png" } },
     { "zsim convert", sim_convert, { "none.obj", "--name", "a", "--out", "none" } },
     { "zsim demo", sim_demo, { "--scene", "none" } },

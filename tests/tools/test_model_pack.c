@@ -18,9 +18,11 @@
 
 static double points[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
 static uint32_t tris[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
-static float normals[2][3][3] = { { { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 } }, { { 1, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 } } };
+static float normals[2][3][3] = { { { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 } },
+                                  { { 1, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 } } };
 static struct zs_rgb colors[2][3] = { { { 1, 2, 3 }, { 4, 5, 6 }, { 7, 8, 9 } } };
-static double uvs[2][3][2] = { { { 0, 0 }, { 1, 0 }, { 0, 1 } }, { { 0.5, 0.25 }, { -3, 2 }, { 0, 0 } } };
+static double uvs[2][3][2] = { { { 0, 0 }, { 1, 0 }, { 0, 1 } },
+                               { { 0.5, 0.25 }, { -3, 2 }, { 0, 0 } } };
 static uint8_t has_uv[2] = { 1, 1 };
 static uint32_t tri_material[2] = { 0, 1 };
 static struct sim_material materials[2] = {
@@ -152,12 +154,14 @@ static void must_be_sound(const struct sim_model *m)
         for (int k = 0; k < 3; k++) {
             assert_true(m->tri[t][k] < m->n_points);
             assert_true(fabs(m->uv[t][k][0]) <= SIM_UV_MAX && fabs(m->uv[t][k][1]) <= SIM_UV_MAX);
-            assert_true(isfinite(m->normal[t][k][0]) && isfinite(m->normal[t][k][1]) && isfinite(m->normal[t][k][2]));
+            assert_true(isfinite(m->normal[t][k][0]) && isfinite(m->normal[t][k][1]) &&
+                        isfinite(m->normal[t][k][2]));
         }
     }
     for (uint32_t i = 0; i < m->n_materials; i++) {
         assert_non_null(m->material[i].name);
-        assert_true(m->material[i].texture < m->n_textures || m->material[i].texture == SIM_NO_TEXTURE);
+        assert_true(m->material[i].texture < m->n_textures ||
+                    m->material[i].texture == SIM_NO_TEXTURE);
     }
     for (uint32_t i = 0; i < m->n_textures; i++) {
         const struct sim_image *image = &m->texture[i].image;
@@ -201,11 +205,15 @@ static void every_byte_changed(void **state)
 /* Counts whose products wrap, or that ask for terabytes. */
 static void huge_counts(void **state)
 {
-    static const uint32_t counts[] = { 0, 0x7fffffff, 0x80000000, 0xffffffff, 0x55555556, 0x40000001 };
+    static const uint32_t counts[] = {
+        0, 0x7fffffff, 0x80000000, 0xffffffff, 0x55555556, 0x40000001
+    };
     const struct sim_model in = whole();
     const size_t n = packed(&in);
-    static const size_t at[] = { offsetof(struct sim_model, n_points), offsetof(struct sim_model, n_tris),
-                                 offsetof(struct sim_model, n_materials), offsetof(struct sim_model, n_textures) };
+    static const size_t at[] = { offsetof(struct sim_model, n_points),
+                                 offsetof(struct sim_model, n_tris),
+                                 offsetof(struct sim_model, n_materials),
+                                 offsetof(struct sim_model, n_textures) };
     struct sim_model out;
     (void)state;
     for (size_t k = 0; k < 4; k++)
@@ -221,7 +229,8 @@ static void huge_counts(void **state)
 /* Sides of a texture that the renderer does not take, with as many texels as they say. */
 static void odd_sides(void **state)
 {
-    static const uint32_t sides[][3] = { { 4, 2, 1 }, { 8, 1, 1 }, { 3, 2, 0 }, { 2, 3, 0 }, { 0, 4, 0 }, { 4, 0, 0 } };
+    static const uint32_t sides[][3] = { { 4, 2, 1 }, { 8, 1, 1 }, { 3, 2, 0 },
+                                         { 2, 3, 0 }, { 0, 4, 0 }, { 4, 0, 0 } };
     (void)state;
     for (size_t i = 0; i < sizeof sides / sizeof sides[0]; i++) {
         const struct sim_model in = whole();
