@@ -189,6 +189,8 @@ struct zs_renderer {
     uint8_t batched;            /* 1: the current instance is binned in batches (fast/batch.c) */
     uint8_t part_log2, part_down; /* parts (fast/parts.c): log2 of their triangles, and of the rows
                                    in a unit of their rows */
+    uint8_t slow_first;         /* 1: the next triangle is a slow case that filled a pool when its
+                                   batch's vertices were gathered; it is tried by itself */
     uint8_t noting;             /* 1: a part's rows are noted after the first walk */
     uint16_t parts_tris;        /* records of the triangle pool that hold their rows; 0: none */
     uint16_t part, part_end;    /* of the current instance */
