@@ -97,7 +97,8 @@ static int look(void)
     c.max_tris = c.max_verts = TRIS_MAX;
     assert_true(zs_arena_bytes(&c) <= sizeof arena);
     CASE_CHECK(zs_init(&r, &c, arena, sizeof arena) == ZS_OK);
-    CASE_CHECK(zs_frame_begin(&r, &world.scene, &world.camera) == ZS_OK && zs_frame_strip(&r, &strip) == 1);
+    CASE_CHECK(zs_frame_begin(&r, &world.scene, &world.camera) == ZS_OK &&
+               zs_frame_strip(&r, &strip) == 1);
     n_tris = r.n_tris;
     n_verts = r.n_verts;
     for (uint32_t t = 0; t < n_tris; t++) {
@@ -131,7 +132,8 @@ static uint32_t fills(uint32_t s, uint32_t end, uint32_t tris, uint32_t verts)
             of[tri[t].v[k]] = 1;
         }
     }
-    const uint32_t by_tris = (16u * t_sum + tris - 1u) / tris, by_verts = (16u * v_sum + verts - 1u) / verts;
+    const uint32_t by_tris = (16u * t_sum + tris - 1u) / tris,
+                   by_verts = (16u * v_sum + verts - 1u) / verts;
     return by_tris > by_verts ? by_tris : by_verts;
 }
 
@@ -172,8 +174,9 @@ static int few_case(uint64_t seed)
     struct picture f = picture_draw(&c, &world.scene, &world.camera);
     const uint32_t least = fewest(tris, verts), walks = f.stats.passes;
     int ok = picture_same(&ample, &f, "small pools") && stats_add_up(&f.stats) &&
-             f.stats.tris_drawn == ample.stats.tris_drawn && f.stats.tris_facing == ample.stats.tris_facing &&
-             f.stats.max_tris_used <= tris && f.stats.max_verts_used <= verts;
+             f.stats.tris_drawn == ample.stats.tris_drawn &&
+             f.stats.tris_facing == ample.stats.tris_facing && f.stats.max_tris_used <= tris &&
+             f.stats.max_verts_used <= verts;
     if (ok && walks > (any ? 4u * least + 18u : least * 3u / 2u + 5u))
         ok = case_wrong("%u walks, %u at least", walks, least);
     sum[any].frames++;
@@ -182,7 +185,9 @@ static int few_case(uint64_t seed)
     sum[any].again += (double)f.stats.verts_transformed / ample.stats.verts_transformed;
     picture_free(&ample);
     picture_free(&f);
-    return ok ? 1 : case_wrong("strips of %u, pools of %u and %u for %u and %u", c.strip_h, tris, verts, n_tris, n_verts);
+    return ok ? 1
+              : case_wrong("strips of %u, pools of %u and %u for %u and %u", c.strip_h, tris, verts,
+                           n_tris, n_verts);
 }
 
 static void walks_are_few(void **state)
@@ -190,8 +195,9 @@ static void walks_are_few(void **state)
     memset(sum, 0, sizeof sum);
     CASES(few_case, 400);
     for (int any = 0; any < 2; any++)
-        print_message("%s: %u walks in %u frames, %u at least; vertices %.1f times\n", any ? "in any order" : "in rows",
-                      sum[any].walks, sum[any].frames, sum[any].least, sum[any].again / sum[any].frames);
+        print_message("%s: %u walks in %u frames, %u at least; vertices %.1f times\n",
+                      any ? "in any order" : "in rows", sum[any].walks, sum[any].frames,
+                      sum[any].least, sum[any].again / sum[any].frames);
     if (getenv("ZS_SEED"))
         return;
     assert_true(sum[0].frames > 150 && sum[0].least > 8 * sum[0].frames && sum[1].frames > 60);

@@ -63,11 +63,11 @@ struct batch {
     const uint16_t (*tri)[3];     /* the batch's first triangle */
     const struct zs_vertex *pool; /* what their numbers count from */
     const struct zs_shader *shader;
-    uint32_t n_verts; /* what their numbers are below */
-    uint32_t base;    /* the index of `pool` in the vertex pool */
-    int32_t away;    /* 1, -1 or 0: area * away > 0 means culled by its facing */
-    uint32_t *fate;  /* [ZS_FATES]: counts of rejected triangles */
-    uint32_t *piece; /* of a clipped triangle, as in zs_assemble_tri */
+    uint32_t n_verts;    /* what their numbers are below */
+    uint32_t base;       /* the index of `pool` in the vertex pool */
+    int32_t away;        /* 1, -1 or 0: area * away > 0 means culled by its facing */
+    uint32_t *fate;      /* [ZS_FATES]: counts of rejected triangles */
+    uint32_t *piece;     /* of a clipped triangle, as in zs_assemble_tri */
     uint8_t left[BATCH]; /* the triangles that remain: 4 * number in the batch, + 1 if the triangle
                             is counter-clockwise, + 2 if it is a slow case */
     uint16_t corner[BATCH][3]; /* gathered: their vertices' indices in the pool */
@@ -337,8 +337,11 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     return end;
 }
 
-static const struct zs_fast_batch batch = {
-    .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen,
-    .full = zs_parts_begin, .spare = zs_parts_end, .beside = zs_parts_beside
-};
+static const struct zs_fast_batch batch = { .needs = zs_screen_needs,
+                                            .open = batch_open,
+                                            .bin = batch_bin,
+                                            .screen = zs_screen,
+                                            .full = zs_parts_begin,
+                                            .spare = zs_parts_end,
+                                            .beside = zs_parts_beside };
 const struct zs_fast zs_fast_batch = { .batch = &batch };
