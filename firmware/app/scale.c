@@ -10,7 +10,10 @@
  *              64 balls of 480 triangles behind each other, each as large on the screen as the first, the same orders, within one
  *              octave of the depth mapping: none costs more than another for where it lies
  *
- * 8 sub-pixel bits, the default depth, one strip buffer, strips of 24 rows but for `strips`, pools as large as can be.
+ *   ram        bench scenes with pools that are filled up to what fits into so many KB together with everything else, from
+ *              8 to 128 KB; x is KB. Triangles and vertices get shares as large as all of them need
+ *
+ * 8 sub-pixel bits, the default depth, one strip buffer, strips of 24 rows but for `strips` and `ram`, pools as large as can be.
  * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave: the same on every machine.
  *
  * SPDX-License-Identifier: MIT
@@ -308,12 +311,56 @@ static int depths(void)
     return failed;
 }
 
+/* ---- RAM ------------------------------------------------------------------------------------- */
+
+#define RESERVE 4608u /* for renderer, scene state and stack, as in the bench */
+
+static int ram(void)
+{
+    static const uint8_t kb[] = { 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128 };
+    static const struct {
+        const char *name;
+        const struct demo *of;
+        uint16_t width, height, rows;
+    } lines[] = { { "relief 160x128 by 4", &demo_relief, 160, 128, 4 },
+                  { "relief by 8", &demo_relief, 320, 240, 8 },
+                  { "relief by 24", &demo_relief, 320, 240, 24 },
+                  { "relief_tex by 8", &demo_relief_tex, 320, 240, 8 },
+                  { "relief_tex by 24", &demo_relief_tex, 320, 240, 24 },
+                  { "sheet by 8", &demo_sheet, 320, 240, 8 },
+                  { "sheet by 24", &demo_sheet, 320, 240, 24 } };
+    int failed = 0;
+    for (uint32_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        const uint16_t w = lines[i].width, h = lines[i].height, rows = lines[i].rows;
+        const struct zs_sink nowhere = { .submit = report_drop };
+        struct zs_config c = config_of(lines[i].of, w, h, rows);
+        lines[i].of->pose(&frame, 0, w, h);
+        scene = frame.scene;
+        int err = zs_init(&renderer, &c, arena, sizeof arena);
+        err = err ? err : zs_render(&renderer, &scene, &frame.camera, &nowhere);
+        const struct zs_stats *s = zs_frame_stats(&renderer);
+        const uint32_t tris = s->max_tris_used, verts = s->max_verts_used;
+        const uint32_t whole = ZS_TRI_BYTES(tris) + ZS_VERT_BYTES(verts, c.varyings);
+        const uint32_t strips = ZS_ARENA_BYTES(w, h, rows, 0, 0, 0, 1) + RESERVE + 8u; /* 8: pools are rounded up */
+        failed += err != 0;
+        for (uint32_t k = 0; k < sizeof kb && !err; k++) {
+            const uint32_t left = kb[k] * 1024u - strips, part = left < whole ? left : whole;
+            if (kb[k] * 1024u < strips + 256u)
+                continue;
+            c.max_tris = (uint16_t)((uint64_t)tris * part / whole);
+            c.max_verts = (uint16_t)((uint64_t)verts * part / whole);
+            failed += point("ram", lines[i].name, kb[k], &c);
+        }
+    }
+    return failed;
+}
+
 int main(void)
 {
     if (hal_init())
         hal_exit(1);
     hal_write("series,scene,x,passes,tris_in,drawn,setups,verts,fragments,checksum,instructions\n");
-    const int failed = triangles() + pixels() + strips() + passes() + depths();
+    const int failed = triangles() + pixels() + strips() + passes() + depths() + ram();
     hal_write(failed ? "# failed\n" : "# ok\n");
     hal_exit(failed != 0);
 }

@@ -185,10 +185,12 @@ struct zs_renderer {
     uint16_t n_strips, strip;   /* strip: the next one to draw */
     uint16_t band_end;          /* the bins of strips below this number are complete; those of
                                    others hold the number of triangles that begin there ... */
-    uint16_t band_begun;        /* ... as far as it is known. What band_end was first in this walk */
+    uint16_t band_begun;        /* ... as far as it is known. band_end when this walk began */
     uint8_t batched;            /* 1: the current instance is binned in batches (fast/batch.c) */
     uint8_t part_log2, part_down; /* parts (fast/parts.c): log2 of their triangles, and of the rows
                                    in a unit of their rows */
+    uint8_t slow_first;         /* 1: the next triangle is a slow case that filled a pool when its
+                                   batch's vertices were gathered; it is tried by itself */
     uint8_t noting;             /* 1: a part's rows are noted after the first walk */
     uint16_t parts_tris;        /* records of the triangle pool that hold their rows; 0: none */
     uint16_t part, part_end;    /* of the current instance */
@@ -201,7 +203,7 @@ struct zs_renderer {
     uint32_t vert_base;         /* pool vertices below this belong to earlier instances */
     uint32_t vert_packed;       /* pool vertices that remained after the last packing (zs_bin_pack):
                                    binned triangles use all of them ... */
-    uint32_t tris_packed;    /* ... and triangles that there were then */
+    uint32_t tris_packed;       /* ... and triangles that there were then */
     uint32_t strip_mul;
     uint16_t *color[2];      /* [strip_h][width], most significant byte first: the framebuffers of
                                 the next strip and of the one given out last; with one buffer they

@@ -1,5 +1,5 @@
 #!/bin/sh
-# How instructions grow with triangles, pixels, strips, passes and depth complexity (firmware/app/scale.c), on QEMU's
+# How instructions grow with triangles, pixels, strips, passes, depth complexity and less RAM (firmware/app/scale.c), on QEMU's
 # Cortex-M3: no series may grow worse than linearly. The same frames on this machine must be the same, bit for bit.
 # Instructions are not cycles.
 #
@@ -12,6 +12,9 @@
 # through it says nothing about the others. The series "layers tested" draws all alike and is held to the rule above. The same
 # frames as they are drawn may nowhere cost more than those; and what the layers beyond the first take is held to the
 # rule, against their number.
+#
+# RAM: no point may cost over 8 % more than one with less RAM. All points are printed, with how many times they take of
+# what the last one does.
 #
 # Usage: tests/lab/scale.sh BUILD         the check
 #        tests/lab/scale.sh BUILD plots   besides: CSV and a plot a series in BUILD/scale; needs gnuplot
@@ -74,7 +77,7 @@ awk -F, '
             passes[n], why
         n = 0; last = 0
     }
-    /^#/ || $1 == "series" || NF != 11 { next }
+    /^#/ || $1 == "series" || $1 == "ram" || NF != 11 { next }
     NR == FNR { cost[$1, $2, $3] = $11; next }
     n && ($1 != series || $2 != scene) { finish() }
     { series = $1; scene = $2; n++; x[n] = $3; passes[n] = $4; count[n] = $11 }
@@ -82,6 +85,15 @@ awk -F, '
 for order in 'front to back' 'back to front' mixed; do
     grep -q "^depth|layers tested $order|" "$out/fits" || bad "layers tested $order" "not measured"
 done
+
+# More RAM for the same frames, but for 8 %
+awk -F, '
+    $1 != "ram" || NF != 11 { next }
+    $2 != scene { scene = $2; least = 0 }
+    least && $11 > least * 1.08 { printf "%s in %d KB: %.2f times what less takes\n", scene, $3, $11 / least }
+    !least || $11 < least { least = $11 }' "$out/mps2.csv" >"$out/bumps"
+grep -q '^ram,' "$out/mps2.csv" || bad "more RAM costs no more" "not measured"
+none "more RAM costs no more" "$(tr ' ' '_' <"$out/bumps")"
 
 for series in triangles pixels strips passes depth; do
     none "instructions grow at most linearly with $series" \
@@ -99,6 +111,19 @@ awk -F'|' '
     }
     { printf "%-10s %-27s %8d %8d %9.3f %9.3f %6.2f %9.2f%s\n", $1, $2, $4, $5, $6 / 1e6, $7 / 1e6, $8, $9,
         ($1 != "passes" && $10 > 1) ? sprintf("  the last in %d passes", $10) : "" }' "$out/fits"
+echo
+echo "RAM, everything counted (one strip buffer), KB: M instructions in passes, and times what the last point takes."
+awk -F, '
+    $1 != "ram" || NF != 11 { next }
+    { if (!($2 in n)) order[++scenes] = $2; k = ++n[$2]; kb[$2, k] = $3; passes[$2, k] = $4; count[$2, k] = $11 }
+    END {
+        for (i = 1; i <= scenes; i++) {
+            s = order[i]
+            print s
+            for (k = 1; k <= n[s]; k++)
+                printf "  %4d KB %9.3f in %4d %8.2f\n", kb[s, k], count[s, k] / 1e6, passes[s, k], count[s, k] / count[s, n[s]]
+        }
+    }' "$out/mps2.csv"
 [ "${2:-}" = plots ] || exit $failed
 
 # ---- Plots ------------------------------------------------------------------------------------------------------
@@ -140,9 +165,19 @@ plot pixels 'pixels of the frame' \
 plot strips 'strips of a 320x240 frame' '1, 2, 3, 5, 10, 15, 30, 60, 120, 240'
 plot passes 'passes that smaller pools take' '1, 2, 5, 10, 20, 50, 100, 200, 500'
 plot depth 'layers that fill 320x240; balls behind each other' '1, 2, 4, 8, 16, 32, 64'
-for series in triangles pixels strips passes depth; do
+{
+    echo "set terminal pngcairo size 960,600 font ',11'; set output '$out/ram.png'"
+    echo "set datafile separator ','; set colorsequence podo; set logscale xy; set grid; set key outside right top noenhanced"
+    echo "set xlabel 'KB of RAM, everything counted'; set ylabel 'instructions a frame, Cortex-M3'; set format y '%.0s %c'"
+    echo "set xtics (8, 16, 32, 64, 128)"
+    awk -F, -v csv="$out/mps2.csv" -v q="'" '$1 == "ram" && NF == 11 && !($2 in seen) {
+        printf "%s%s< grep \"^ram,%s,\" %s%s using 3:11 with linespoints lw 2 title %s%s%s", n++ ? ", " : "plot ", q, $2, csv, q, q, $2, q
+        seen[$2] = 1 }' "$out/mps2.csv"
+} >"$out/ram.gnuplot"
+gnuplot "$out/ram.gnuplot" || bad "plot of ram" "gnuplot says no"
+for series in triangles pixels strips passes depth ram; do
     grep -E "^series|^$series," "$out/mps2.csv" >"$out/$series.csv"
 done
 echo
-echo "CSV and plots: $out/triangles.csv, .png, and the same of pixels, strips, passes, depth"
+echo "CSV and plots: $out/triangles.csv, .png, and the same of pixels, strips, passes, depth, ram"
 exit $failed

@@ -221,7 +221,8 @@ ZS_RARE void zs_bin_band(struct zs_renderer *r, uint16_t end)
         /* as many triangles as there were once, and as their vertices leave room for */
         const uint32_t tris = r->tris_packed ? r->tris_packed : r->n_tris;
         const uint32_t verts = r->vert_packed ? r->vert_packed : r->n_verts;
-        const uint32_t most = zs_minu32(r->stats.max_tris_used, tris * r->config.max_verts / (verts + 1u));
+        const uint32_t most = zs_minu32(r->stats.max_tris_used,
+                                        tris * r->config.max_verts / (verts + 1u));
         for (uint32_t t = 0; t < r->n_tris; t++) {
             const uint16_t *v = r->tri[t].v;
             n += zs_first_sample(zs_max32(r->vert[v[1]].y, r->vert[v[2]].y)) > bottom;

@@ -34,6 +34,7 @@ void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_
 static void batch_open(struct zs_renderer *r)
 {
     const uint32_t n = r->xform.instance->mesh->n_verts, room = r->config.max_verts - r->n_verts;
+    r->slow_first = 0;
     r->batched = (uint8_t)zs_parts_batched(r, r->xform.instance);
     if (!r->batched)
         return;
@@ -62,11 +63,11 @@ struct batch {
     const uint16_t (*tri)[3];     /* the batch's first triangle */
     const struct zs_vertex *pool; /* what their numbers count from */
     const struct zs_shader *shader;
-    uint32_t n_verts; /* what their numbers are below */
-    uint32_t base;    /* the index of `pool` in the vertex pool */
-    int32_t away;    /* 1, -1 or 0: area * away > 0 means culled by its facing */
-    uint32_t *fate;  /* [ZS_FATES]: counts of rejected triangles */
-    uint32_t *piece; /* of a clipped triangle, as in zs_assemble_tri */
+    uint32_t n_verts;    /* what their numbers are below */
+    uint32_t base;       /* the index of `pool` in the vertex pool */
+    int32_t away;        /* 1, -1 or 0: area * away > 0 means culled by its facing */
+    uint32_t *fate;      /* [ZS_FATES]: counts of rejected triangles */
+    uint32_t *piece;     /* of a clipped triangle, as in zs_assemble_tri */
     uint8_t left[BATCH]; /* the triangles that remain: 4 * number in the batch, + 1 if the triangle
                             is counter-clockwise, + 2 if it is a slow case */
     uint16_t corner[BATCH][3]; /* gathered: their vertices' indices in the pool */
@@ -307,6 +308,14 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     s.shader = in->material->shader;
     s.base = r->direct ? r->vert_base : 0u;
     s.pool = &r->vert[s.base];
+    if (r->slow_first) {
+        const enum zs_fate f = zs_assemble_tri(r, from, piece);
+        if (f == ZS_FATE_FULL)
+            return from;
+        r->slow_first = 0;
+        fate[f]++;
+        from++;
+    }
     for (uint32_t n; from < end; from += n) {
         n = zs_minu32(end - from, BATCH);
         if (r->parts_tris && (n = zs_parts_next(r, &from, end, n)) == 0)
@@ -320,6 +329,7 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
         const uint32_t done = bin_all(r, &s, from, left, fate);
         if (done < left) {
             const uint32_t t = from + s.left[done] / 4u;
+            r->slow_first = !r->direct && s.left[done] & 2u;
             drop_less(&s, from, n, t, fate);
             return t;
         }
@@ -327,8 +337,11 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     return end;
 }
 
-static const struct zs_fast_batch batch = {
-    .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen,
-    .full = zs_parts_begin, .spare = zs_parts_end, .beside = zs_parts_beside
-};
+static const struct zs_fast_batch batch = { .needs = zs_screen_needs,
+                                            .open = batch_open,
+                                            .bin = batch_bin,
+                                            .screen = zs_screen,
+                                            .full = zs_parts_begin,
+                                            .spare = zs_parts_end,
+                                            .beside = zs_parts_beside };
 const struct zs_fast zs_fast_batch = { .batch = &batch };

@@ -24,8 +24,8 @@
 
 #define PART_LOG2_MIN 5
 #define PART_LOG2_MAX 15
-#define SHARE 16u     /* parts take at most this part of the triangle pool */
-#define ALL 0xff00u   /* rows 0 .. 255: reaches all bands */
+#define SHARE 16u   /* parts take at most this part of the triangle pool */
+#define ALL 0xff00u /* rows 0 .. 255: reaches all bands */
 #define NONE 0x00ffu
 
 static uint16_t *parts(const struct zs_renderer *r)
@@ -33,12 +33,12 @@ static uint16_t *parts(const struct zs_renderer *r)
     return (uint16_t *)(void *)(r->tri + r->config.max_tris);
 }
 
-static uint32_t parts_of(const struct zs_instance *in, uint32_t log2)
+ZS_RARE static ZS_NOINLINE uint32_t parts_of(const struct zs_instance *in, uint32_t log2)
 {
     return (zs_primitives_of(in) + (1u << log2) - 1u) >> log2;
 }
 
-int zs_parts_batched(const struct zs_renderer *r, const struct zs_instance *in)
+ZS_RARE int zs_parts_batched(const struct zs_renderer *r, const struct zs_instance *in)
 {
     const struct zs_material *material = in->material;
     /* batches do not call zs_fast_tiles.cover for triangles of up to 128 px; in a small frame such
@@ -66,8 +66,8 @@ ZS_RARE void zs_parts_begin(struct zs_renderer *r, uint32_t t)
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const int many = mesh->n_tris > r->config.max_tris && mesh->n_verts > r->config.max_verts;
     uint32_t tris, n;
-    if (r->parts_tris || !r->counting || (r->band_end == r->band_begun && !many) || r->passes || r->track ||
-        r->config.method != &zs_method_buffer || (n = choose(r)) == 0)
+    if (r->parts_tris || !r->counting || (r->band_end == r->band_begun && !many) || r->passes ||
+        r->track || r->config.method != &zs_method_buffer || (n = choose(r)) == 0)
         return;
     tris = (2u * n + 11u) / 12u;
     if (r->n_tris + tris > r->config.max_tris)
@@ -82,14 +82,15 @@ ZS_RARE void zs_parts_begin(struct zs_renderer *r, uint32_t t)
         const struct zs_instance *in = zs_instance_of(r, i);
         const uint32_t of = parts_of(in, r->part_log2);
         const uint32_t first = !zs_parts_batched(r, in) || i < r->xform.number ? UINT32_MAX
-                               : i > r->xform.number                          ? 0u
-                                                                              : t;
-        if (i == r->xform.number)
+                               : i > r->xform.number                           ? 0u
+                                                                               : t;
+        if (i == r->xform.number) {
             r->part = (uint16_t)(at - parts(r));
+            r->part_end = (uint16_t)(r->part + of);
+        }
         for (uint32_t k = 0; k < of; k++)
             *at++ = first <= k << r->part_log2 ? NONE : ALL;
     }
-    r->part_end = (uint16_t)(r->part + parts_of(r->xform.instance, r->part_log2));
 }
 
 ZS_RARE int zs_parts_end(struct zs_renderer *r, uint32_t t)
@@ -107,7 +108,7 @@ ZS_RARE int zs_parts_end(struct zs_renderer *r, uint32_t t)
 }
 
 /* Return 1 if a part reaches the band. */
-static int reaches(const struct zs_renderer *r, uint32_t part)
+ZS_RARE static ZS_NOINLINE int reaches(const struct zs_renderer *r, uint32_t part)
 {
     const uint32_t rows = parts(r)[part], h = r->config.strip_h;
     return rows >> 8 >= r->strip * h >> r->part_down &&
@@ -115,7 +116,7 @@ static int reaches(const struct zs_renderer *r, uint32_t part)
 }
 
 /* Return how many parts of the current instance reach the band. */
-static uint32_t in_band(const struct zs_renderer *r)
+ZS_RARE static ZS_NOINLINE uint32_t in_band(const struct zs_renderer *r)
 {
     uint32_t n = 0;
     for (uint32_t k = r->part; k < r->part_end; k++)
@@ -123,19 +124,20 @@ static uint32_t in_band(const struct zs_renderer *r)
     return n;
 }
 
-int zs_parts_beside(struct zs_renderer *r, uint32_t number)
+ZS_RARE int zs_parts_beside(struct zs_renderer *r, uint32_t number)
 {
     r->part = number ? r->part_end : 0u;
     r->part_end = (uint16_t)(r->part + parts_of(zs_instance_of(r, number), r->part_log2));
     return !r->counting && !in_band(r);
 }
 
-int zs_parts_whole(const struct zs_renderer *r)
+ZS_RARE int zs_parts_whole(const struct zs_renderer *r)
 {
     return in_band(r) == (uint32_t)(r->part_end - r->part);
 }
 
-uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end, uint32_t n)
+ZS_RARE uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end,
+                               uint32_t n)
 {
     const uint32_t mask = (1u << r->part_log2) - 1u;
     for (uint32_t t = *from, next; t < end; t = next) {
@@ -149,11 +151,17 @@ uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end
     return 0;
 }
 
-ZS_IN_ORDER void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
-                               const uint16_t (*tri)[3], const uint8_t *left, uint32_t n)
+/* The row of a vertex in the frame, in units. */
+ZS_RARE static ZS_NOINLINE uint32_t row_of(const struct zs_renderer *r, int32_t y)
+{
+    const int32_t row = zs_max32(y >> ZS_SUBPX_BITS, 0);
+    return (uint32_t)zs_min32(row, r->config.height - 1) >> r->part_down;
+}
+
+ZS_RARE void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
+                           const uint16_t (*tri)[3], const uint8_t *left, uint32_t n)
 {
     uint16_t *const part = parts(r) + r->part + (from >> r->part_log2);
-    const int32_t last = r->config.height - 1;
     int32_t y0 = INT32_MAX, y1 = INT32_MIN;
     if ((from & ((1u << r->part_log2) - 1u)) == 0 && !r->counting) {
         r->noting = *part == ALL && !r->by_clusters;
@@ -173,8 +181,6 @@ ZS_IN_ORDER void zs_parts_note(struct zs_renderer *r, uint32_t from, const struc
     }
     if (y0 > y1)
         return;
-    const uint32_t first = (uint32_t)zs_min32(zs_max32(y0 >> ZS_SUBPX_BITS, 0), last) >> r->part_down;
-    const uint32_t final = (uint32_t)zs_min32(zs_max32(y1 >> ZS_SUBPX_BITS, 0), last) >> r->part_down;
-    const uint32_t was = *part;
-    *part = (uint16_t)(zs_minu32(was & 255u, first) | zs_maxu32(was >> 8, final) << 8);
+    *part = (uint16_t)(zs_minu32(*part & 255u, row_of(r, y0)) | zs_maxu32(*part >> 8, row_of(r, y1))
+                                                                    << 8);
 }
