@@ -35,9 +35,8 @@ enum zs_flaw {
     ZS_FLAW_TEXEL,          /* index: row * width + column of a texel >= n_colors; those of coarser
                                levels follow */
     ZS_FLAW_LEVELS,         /* more levels than its size allows (zs_filter.h); index: n_levels */
-    ZS_FLAW_NODES,      /* index: a node of bvh whose first or skip is not that of a hierarchy over all
-                           triangles, in order, each in one leaf; or node 0, if there are more than
-                           2 * n_tris nodes */
+    ZS_FLAW_NODES,      /* index: a node of bvh whose first or skip is not that of a hierarchy over
+                           all triangles, in order, each in one leaf; 0: more than 2 * n_tris */
     ZS_FLAW_NODE_SPHERE /* index: a node with a vertex outside its sphere */
 };
 

@@ -193,8 +193,8 @@ uint32_t budget_method_holds(const struct sim_method *method, uint32_t pool)
 
 /* Pools of a method for a scene of which so many triangles are seen in a strip at once. Bytes; with renderer, scene and
  * stack (Cortex-M0+). */
-static double method_takes(const struct budget_request *rq, const struct budget *b, const struct sim_method *m, long tris,
-                           struct budget_ram *ram)
+static double method_takes(const struct budget_request *rq, const struct budget *b, const struct sim_method *m,
+                           long tris, struct budget_ram *ram)
 {
     struct zs_config c = b->config;
     c.max_tris = sim_method_pool(m, (uint32_t)tris);
@@ -211,7 +211,7 @@ int budget_methods(const struct budget_request *rq, const struct budget *b)
         puts("method,tris,verts,color,depth,records,arena,ram");
     else
         printf("%ux%u in strips of %u rows, %u buffer%s; %ld bytes of RAM on a Cortex-M0+, stack %u of them\n"
-               "  %-11s %9s %9s %8s %8s %8s %8s   a set: more of either take more walks, never a pixel\n",
+               "  %-11s %9s %9s %8s %8s %8s %8s   more take more walks\n",
                c->width, c->height, c->strip_h, c->buffers, c->buffers == 1 ? "" : "s", rq->ram,
                record_stack_render[BUDGET_M0], "method", "triangles", "vertices", "strips", "keys", "records", "arena");
     for (size_t k = 0; k < SIM_METHODS; k++) {

@@ -185,6 +185,7 @@ int budget_model(struct budget *b, const struct budget_request *rq, const struct
     struct sim_view view;
     struct sim_scene scene = { 0 };
     memset(b, 0, sizeof *b);
+    b->method = &sim_methods[rq->o.method];
     int status = sim_view_plan(&view, &o, model);
     if (status == SIM_OK)
         status = sim_scene_build(&scene, model, &view, &o);

@@ -72,7 +72,8 @@ methods-record: $(B)/.setup-test $(B)/gen/meshes.h
 ## methods-worlds: every method against the depth buffer on 10,000 random worlds; methods-worlds-record: as the report
 methods-worlds methods-worlds-record: $(B)/.setup-test
 	+@$(MAKE_ALL) $(B)/test/test_methods
-	@sh tests/lab/worlds.sh $(B) $(if $(findstring record,$@),>$(B)/worlds.txt && mv $(B)/worlds.txt tests/records/WORLDS.txt)
+	@sh tests/lab/worlds.sh $(B) \
+	    $(if $(findstring record,$@),>$(B)/worlds.txt && mv $(B)/worlds.txt tests/records/WORLDS.txt)
 ## effects: what a pixel takes by each effect and overlay, on Cortex-M0 and M3; effects-record: as the record
 effects: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/effects.sh $(B)
@@ -111,7 +112,8 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
-        costs-record still cull methods methods-record methods-worlds methods-worlds-record effects effects-record gallery depth hiz accuracy fuzz-programs \
+        costs-record still cull methods methods-record \
+        methods-worlds methods-worlds-record effects effects-record gallery depth hiz accuracy fuzz-programs \
         lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz

@@ -1,6 +1,6 @@
 /* The methods against each other, on random worlds of triangles in cycles, through each other, and any: ray casting and
- * the hierarchical depth buffer are the depth buffer's frame, bit for bit; depth sort and coverage are one picture, and it
- * differs from that frame only where the keys of both triangles are within a bucket.
+ * the hierarchical depth buffer are the depth buffer's frame, bit for bit; depth sort and coverage are one picture, and
+ * it differs from that frame only where the keys of both triangles are within a bucket.
  *
  * ZS_WORLDS=10000 in the environment: so many worlds (make methods-worlds).
  *

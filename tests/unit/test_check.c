@@ -880,7 +880,7 @@ static uint32_t nodes_sound, nodes_drawn;
 /* A hierarchy of which some numbers are anything: refused, or the depth buffer's frame is drawn by it. */
 static int nodes_case(uint64_t seed)
 {
-    static const struct zs_material material = { .shader = &zs_shade_flat, .rgb = { 200, 150, 90 }, .cull = ZS_CULL_NONE };
+    static const struct zs_material material = { .shader = &zs_shade_flat, .rgb = { 9, 9, 9 }, .cull = ZS_CULL_NONE };
     struct prng p = { seed };
     tree_make(&p, 1 + prng_pick(&p, NODE_TRIS));
     struct zs_bvh_node *const node = block(tree.node, tree.n * sizeof *node); /* nothing behind it */

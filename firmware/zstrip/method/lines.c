@@ -171,7 +171,7 @@ static enum zs_fate parallelogram(struct zs_renderer *r, const struct line *line
         quad.v[k].d = end[at]->v.d;
         quad.from[k] = end[at];
     }
-    return zs_quad_bin(r, &quad, t, 2u * dash + 1u, piece); /* 0: nothing of it is binned */
+    return zs_quad_bin(r, &quad, t, 2u * dash + 1u, piece); /* piece 0: none is binned */
 }
 
 /* ---- Dashes --------------------------------------------------------------------------------- */
