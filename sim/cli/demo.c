@@ -15,6 +15,7 @@
 #include "frame.h"
 #include "image.h"
 #include "method_names.h"
+#include "moving_picture.h"
 #include "option_help.h"
 #include "option_table.h"
 #include "output_file.h"
@@ -35,6 +36,8 @@ struct request {
     long size[2], strip, subpixel;      /* size: a panel's picture's; without has_size, the scene's own */
     long start, step, frames;           /* frames start, start + step ...; at most so many of each scene, 0: all */
     const char *fast_names;             /* NULL: all */
+    const char *moving;                 /* NULL: no moving picture */
+    long delay;                         /* of its frames, ms */
     struct sim_fast fast;               /* accelerators, which it names */
     enum sim_show show;
     int method;                         /* of sim_methods */
@@ -97,6 +100,10 @@ static const struct sim_option table[] = {
     SIM_PANEL_OPTIONS(struct request, panel,
                       "frames go through this panel's driver and the model of its controller: pictures are what its "
                       "viewer sees, of its size. There are:"),
+    { "--moving", SIM_OPTION_FILE, AT(moving), .value = "F.png|F.gif",
+      .help = "contact sheets of the first frames, the second ones and so on as an animated PNG or GIF, too; a scene "
+              "with fewer frames begins again" },
+    { "--delay", SIM_OPTION_COUNT, AT(delay), 0, 10, 65535, .value = "MS", .help = "of a frame in it (80)" },
     { "--raw", SIM_OPTION_FLAG, AT(raw),
       .help = "DIR/SCENE_NNN.bin too: RGB565, most significant byte first, row by row; of grey and one-bit panels a "
               "byte for each level or bit" },
@@ -255,18 +262,21 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
 /* ---- Contact sheet ------------------------------------------------------------------------------------ */
 
 struct sheet {
-    uint8_t *rgb; /* [rows * cell_h][SHEET_COLUMNS * cell_w][3] */
-    uint32_t cell_w, cell_h, rows, next;
+    uint8_t **page; /* [n_pages], each [rows * cell_h][columns * cell_w][3]; page 0 is contact.png */
+    uint32_t n_pages, columns, rows, cell_w, cell_h;
+    uint32_t next; /* place of the scene that is drawn */
 };
 
-static void sheet_add(struct sheet *s, const struct sim_picture *p)
+/* The k-th of n pictures of the current scene: on page k, and where the scene begins again. */
+static void sheet_add(struct sheet *s, const struct sim_picture *p, uint32_t k, uint32_t n)
 {
-    const uint32_t width = SHEET_COLUMNS * s->cell_w;
-    const uint32_t x0 = s->next % SHEET_COLUMNS * s->cell_w + (s->cell_w - p->width) / 2u;
-    const uint32_t y0 = s->next / SHEET_COLUMNS * s->cell_h + (s->cell_h - p->height) / 2u;
-    s->next++;
-    for (uint32_t y = 0; y < p->height; y++)
-        memcpy(s->rgb + ((size_t)(y0 + y) * width + x0) * 3u, p->rgb + (size_t)y * p->width * 3u, p->width * 3u);
+    const uint32_t width = s->columns * s->cell_w;
+    const uint32_t x0 = s->next % s->columns * s->cell_w + (s->cell_w - p->width) / 2u;
+    const uint32_t y0 = s->next / s->columns * s->cell_h + (s->cell_h - p->height) / 2u;
+    for (; k < s->n_pages; k += n)
+        for (uint32_t y = 0; y < p->height; y++)
+            memcpy(s->page[k] + ((size_t)(y0 + y) * width + x0) * 3u, p->rgb + (size_t)y * p->width * 3u,
+                   p->width * 3u);
 }
 
 /* ---- Scenes -------------------------------------------------------------------------------------------- */
@@ -303,7 +313,7 @@ static int save(const struct sim_picture *seen, const struct request *rq, const 
     return sim_picture_save(seen, png, rq->raw ? raw : NULL);
 }
 
-/* Frame t into its files, the table's sums and, the first one, the sheet. */
+/* Frame t into its files, the table's sums and the sheet. */
 static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_config *config, const struct request *rq,
                       struct sim_panel_frame *panel, struct tally *sum, struct sheet *sheet)
 {
@@ -312,10 +322,10 @@ static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_confi
     struct sim_picture seen = { 0 };
     demo->pose(&f, t, config->width, config->height);
     int err = draw(&frame, &seen, panel, &f, config, rq, demo);
-    if (!err && sum->frames == 0) {
+    if (!err && sum->frames == 0)
         sum->stats = frame.stats;
-        sheet_add(sheet, &seen);
-    }
+    if (!err)
+        sheet_add(sheet, &seen, sum->frames, count_frames(rq, demo));
     sum->arena = frame.arena_bytes;
     if (sum->passes_max < frame.stats.passes)
         sum->passes_max = frame.stats.passes;
@@ -472,27 +482,54 @@ static struct size picture_size(const struct request *rq, const struct demo *dem
     return (struct size){ (uint16_t)sim_show_width(size.width), (uint16_t)sim_show_height(size.height) };
 }
 
-/* A sheet for the wanted scenes. */
+/* Sheets for the wanted scenes: one, or for a moving picture as many as the longest of them has frames. */
 static void sheet_begin(struct sheet *sheet, const struct request *rq)
 {
     uint32_t found = 0;
-    memset(sheet, 0, sizeof *sheet);
+    *sheet = (struct sheet){ .n_pages = 1 };
     for (uint32_t i = 0; i < count_scenes(); i++)
         if (wanted(rq, scene_at(i))) {
             const struct size size = picture_size(rq, scene_at(i));
+            const uint32_t frames = rq->moving != NULL ? count_frames(rq, scene_at(i)) : 1u;
             found++;
-            if (sheet->cell_w < size.width)
-                sheet->cell_w = size.width;
-            if (sheet->cell_h < size.height)
-                sheet->cell_h = size.height;
+            sheet->cell_w = sheet->cell_w < size.width ? size.width : sheet->cell_w;
+            sheet->cell_h = sheet->cell_h < size.height ? size.height : sheet->cell_h;
+            sheet->n_pages = sheet->n_pages < frames ? frames : sheet->n_pages;
         }
-    sheet->rows = (found + SHEET_COLUMNS - 1u) / SHEET_COLUMNS;
-    sheet->rgb = sim_alloc((size_t)sheet->rows * sheet->cell_h * SHEET_COLUMNS * sheet->cell_w, 3);
+    sheet->columns = found < SHEET_COLUMNS ? found : SHEET_COLUMNS;
+    sheet->rows = (found + sheet->columns - 1u) / sheet->columns;
+    sheet->page = sim_alloc(sheet->n_pages, sizeof *sheet->page);
+    for (uint32_t k = 0; k < sheet->n_pages; k++)
+        sheet->page[k] = sim_alloc((size_t)sheet->rows * sheet->cell_h * sheet->columns * sheet->cell_w, 3);
+}
+
+static int sheet_save(const struct sheet *sheet, const struct request *rq)
+{
+    char path[4096];
+    const uint32_t width = sheet->columns * sheet->cell_w, height = sheet->rows * sheet->cell_h;
+    (void)snprintf(path, sizeof path, "%s/contact.png", rq->out);
+    int err = sim_png_save(path, width, height, sheet->page[0]);
+    if (!err && rq->moving != NULL) {
+        const struct sim_moving moving = { width, height, sheet->n_pages, (uint32_t)rq->delay, sheet->page };
+        err = sim_moving_save(rq->moving, &moving);
+    }
+    if (!err) {
+        table_foot();
+        printf("\n%s and %s/SCENE_NNN.png\n", path, rq->out);
+    }
+    return err;
+}
+
+static void sheet_end(struct sheet *sheet)
+{
+    for (uint32_t k = 0; k < sheet->n_pages; k++)
+        free(sheet->page[k]);
+    free(sheet->page);
 }
 
 int sim_demo(int argc, char **argv)
 {
-    struct request rq = { .out = "build/demo", .strip = 24, .subpixel = 8, .step = 1 };
+    struct request rq = { .out = "build/demo", .strip = 24, .subpixel = 8, .step = 1, .delay = 80 };
     int err = parse(&rq, argc, argv);
     if (!err && rq.help) {
         sim_option_help(table, N_TABLE, &help);
@@ -514,18 +551,11 @@ int sim_demo(int argc, char **argv)
         err = draw_scene(demo, &rq, &sum, &sheet);
         if (!err)
             table_row(demo, &sum);
+        sheet.next++;
         (void)fflush(stdout);
     }
-    if (!err) {
-        char path[4096];
-        (void)snprintf(path, sizeof path, "%s/contact.png", rq.out);
-        err = sim_png_save(path, SHEET_COLUMNS * sheet.cell_w, sheet.rows * sheet.cell_h,
-                           sheet.rgb);
-        if (!err) {
-            table_foot();
-            printf("\n%s and %s/SCENE_NNN.png\n", path, rq.out);
-        }
-    }
-    free(sheet.rgb);
+    if (!err)
+        err = sheet_save(&sheet, &rq);
+    sheet_end(&sheet);
     return err;
 }

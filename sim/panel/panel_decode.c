@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 
 #include "image.h"
+#include "moving_picture.h"
 #include "option_help.h"
 #include "option_table.h"
 #include "panel_frame.h"
@@ -23,6 +24,8 @@ enum { TEXT = 0x1000 }; /* or with this, a character */
 
 struct request {
     const char *stream, *out, *raw;
+    const char *moving; /* NULL: no moving picture */
+    long delay;         /* of its frames, ms */
     struct sim_panel_wish panel;
     int full; /* flag: pictures are whole by their pixels, not by marks */
     int help;
@@ -41,6 +44,9 @@ static const struct sim_option table[] = {
       .help = "a picture for each frame mark, numbered from 0; without marks, one at the end" },
     { "--raw", SIM_OPTION_FILE, AT(raw), .value = "F_%03d.bin",
       .help = "the same as RGB565, most significant byte first, or a byte for each level or bit" },
+    { "--moving", SIM_OPTION_FILE, AT(moving), .value = "F.png|F.gif",
+      .help = "all of them as one animated PNG or GIF, too" },
+    { "--delay", SIM_OPTION_COUNT, AT(delay), 0, 10, 65535, .value = "MS", .help = "of a picture in it (80)" },
     { "--full", SIM_OPTION_FLAG, AT(full),
       .help = "for programs that draw whole frames: a picture each time that as many pixels came as the glass has, "
               "since it was switched on; marks of frames are not looked at" },
@@ -72,7 +78,7 @@ static int parse(struct request *rq, int argc, char **argv)
                          rq->panel.name == NULL ? "--panel"
                          : rq->stream == NULL   ? "--decode"
                                                 : "--out");
-    return SIM_OK;
+    return rq->help ? SIM_OK : sim_options_in_range(table, N_TABLE, rq, seen, NULL);
 }
 
 /* A pattern holds at most one %d, with a width or not; nothing else that begins with %. */
@@ -143,8 +149,27 @@ static int load(const char *name, uint16_t **words, size_t *n)
 
 /* ---- Pictures ------------------------------------------------------------------------------------------ */
 
-/* What the viewer sees now, into the files of a number. */
-static int look(const struct pm_model *model, const struct pm_glass *glass, const struct request *rq, unsigned number)
+/* Pictures that are kept for --moving. */
+struct frames {
+    uint8_t **rgb;
+    uint32_t n, width, height;
+};
+
+static int save_moving(struct frames *all, const struct request *rq, int status)
+{
+    if (status == SIM_OK && rq->moving != NULL) {
+        const struct sim_moving m = { all->width, all->height, all->n, (uint32_t)rq->delay, all->rgb };
+        status = sim_moving_save(rq->moving, &m);
+    }
+    for (uint32_t i = 0; i < all->n; i++)
+        free(all->rgb[i]);
+    free(all->rgb);
+    return status;
+}
+
+/* What the viewer sees now, into the files of a number, and to *all's frames. */
+static int look(const struct pm_model *model, const struct pm_glass *glass, const struct request *rq, unsigned number,
+                struct frames *all)
 {
     char png[4096], raw[4096];
     struct sim_picture seen;
@@ -154,6 +179,13 @@ static int look(const struct pm_model *model, const struct pm_glass *glass, cons
         (void)file_name(raw, sizeof raw, rq->raw, number);
     sim_panel_picture(&seen, model, glass, rq->panel.turns);
     const int status = sim_picture_save(&seen, png, rq->raw != NULL ? raw : NULL);
+    if (status == SIM_OK && rq->moving != NULL) {
+        all->width = seen.width;
+        all->height = seen.height;
+        all->rgb = sim_grow(all->rgb, (size_t)all->n + 1, sizeof *all->rgb);
+        all->rgb[all->n++] = seen.rgb;
+        seen.rgb = NULL;
+    }
     sim_picture_free(&seen);
     return status;
 }
@@ -185,6 +217,7 @@ static int decode(struct pm_model *model, const struct pm_glass *glass, const st
                   const uint16_t *words, size_t n)
 {
     unsigned frames = 0;
+    struct frames all = { 0 };
     uint64_t from = 0;
     int status = SIM_OK, in_line = 0;
     for (size_t i = 0; status == SIM_OK && i < n; i++) {
@@ -197,7 +230,7 @@ static int decode(struct pm_model *model, const struct pm_glass *glass, const st
         if (words[i] & RESET)
             pm_reset(model);
         if (rq->full ? is_full(model, glass, &from) : words[i] & FRAME)
-            status = look(model, glass, rq, frames++);
+            status = look(model, glass, rq, frames++, &all);
         if (words[i] & DESELECT)
             pm_deselect(model);
     }
@@ -205,7 +238,8 @@ static int decode(struct pm_model *model, const struct pm_glass *glass, const st
         print_text(&in_line, '\n');
     pm_end(model);
     if (status == SIM_OK && frames == 0)
-        status = look(model, glass, rq, frames++);
+        status = look(model, glass, rq, frames++, &all);
+    status = save_moving(&all, rq, status);
     if (status == SIM_OK)
         (void)printf("frames %u\n", frames);
     return status;
@@ -236,7 +270,7 @@ static int report(const struct pm_model *model, const char *stream)
 
 int sim_panel(int argc, char **argv)
 {
-    struct request rq = { 0 };
+    struct request rq = { .delay = 80 };
     struct pm_glass glass;
     uint16_t *words = NULL;
     size_t n = 0;
