@@ -141,18 +141,26 @@ one_road() { # NAME INPUT OPTION...    options of render and convert alike
     for view in 0 1 2; do
         # shellcheck disable=SC2086
         run "$road/same" view $view $place
+        camera=$seen
         # shellcheck disable=SC2086
-        "$build/zsim" render "$@" $seen --out "$road/o.png" >stdout.render 2>&1 || wrong "$(cat stdout.render)"
+        "$build/zsim" render "$@" $camera --out "$road/o.png" >stdout.render 2>&1 || wrong "$(cat stdout.render)"
         run ./make sum "$road/o.png"
         # shellcheck disable=SC2086
         above "colours of view $view" "$(word 2 $seen)" 8
         # shellcheck disable=SC2086
         sum=$(word 1 $seen)
         run "$road/same" draw $view
-        is "checksum of view $view" "$sum" "$seen"
+        # shellcheck disable=SC2086
+        is "checksum of view $view" "$sum" "$(word 1 $seen)"
+        # shellcheck disable=SC2086
+        transformed=$(word 2 $seen)
         case "$before" in *"$sum"*) wrong "view $view shows what another shows" ;; esac
         before="$before $sum"
     done
+    # shellcheck disable=SC2086
+    "$build/zsim" render "$@" $camera --fast none --out "$road/o.png" --stats "$road/o.json" >stdout.render 2>&1
+    look json "$road/o.json" vertices_transformed
+    is "vertices transformed, by clusters" "$seen" "$transformed"
     arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c -I"$top/firmware/zstrip" "$road/m.c" \
         -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
     linked=$(arm-none-eabi-size -A "$road/arm.o" | awk '/^\.(text|rodata|data|bss)/ { sum += $2 } END { print sum }')

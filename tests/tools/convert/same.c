@@ -1,7 +1,8 @@
 /* A program on a board: a converted model, NAME m, in front of a camera. Is its frame the one of zsim render?
  *
  *     same view N PLACE     the camera of view N as options of zsim render
- *     same draw N           the checksum of its frame: FNV-1a of the RGB565 values, high byte first
+ *     same draw N           the checksum of its frame: FNV-1a of the RGB565 values, high byte first; and how many
+ *                           vertices were transformed
  *
  * PLACE: five numbers, as of probe.c.
  *
@@ -89,7 +90,7 @@ static void draw(int n)
         printf("%s\n", zs_error_string(err));
         exit(1);
     }
-    printf("%08x\n", (unsigned)sum);
+    printf("%08x %u\n", (unsigned)sum, (unsigned)renderer.stats.verts_transformed);
 }
 
 static void view(int n, char **place)
