@@ -84,6 +84,15 @@
 #endif
 #endif
 
+/* Of functions that leave things as they were where they fail: who does not look at what they
+ * return is warned by the compiler, from C23 and C++17 on. */
+#if (defined(__cplusplus) && __cplusplus >= 201703L) ||                                            \
+    (defined(__STDC_VERSION__) && __STDC_VERSION__ > 201710L)
+#define ZS_NODISCARD [[nodiscard]]
+#else
+#define ZS_NODISCARD
+#endif
+
 /* Check a precondition at run time. Test builds define it; on a target it compiles to nothing. */
 #ifndef ZS_ASSERT
 #define ZS_ASSERT(condition) ((void)0)

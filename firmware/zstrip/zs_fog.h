@@ -57,7 +57,8 @@ struct zs_fog {
  * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE (start, end or curve); ZS_ERR_DEPTH (the
  *          mapping has no depth memory, or cannot take this camera); ZS_ERR_CAMERA, ZS_ERR_NEAR,
  *          as zs_frame_begin: fog is untouched, but for what the caller set. */
-int zs_fog_set(struct zs_fog *fog, const struct zs_config *config, const struct zs_camera *camera);
+ZS_NODISCARD int zs_fog_set(struct zs_fog *fog, const struct zs_config *config,
+                            const struct zs_camera *camera);
 
 /* The functions of a struct zs_resolve; ctx is the struct zs_fog. Cost of drawing, Cortex-M3: 22 to
  * 26 instructions a pixel, 14 where nothing was drawn. 1.2 KB of flash. */

@@ -85,7 +85,7 @@ struct zs_shine {
 /* Set a table for max(0, cosine)^power; what is below 1/256 becomes 0.
  * power   1 .. 255: the larger, the smaller the highlight
  * Return  ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE: power */
-int zs_shine_set(struct zs_shine *shine, uint32_t power);
+ZS_NODISCARD int zs_shine_set(struct zs_shine *shine, uint32_t power);
 
 /* Or-ed. */
 enum zs_lit_flags {

@@ -46,15 +46,16 @@ int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle);
  * z_near, z_far  world units, 0 < near < far <= ZS_WORLD_MAX.
  * Return    ZS_OK; ZS_ERR_CAMERA (one of them, or the focal length, is out of range): camera is
  *           untouched. */
-int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t height_px,
-                          int32_t z_near, int32_t z_far);
+ZS_NODISCARD int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t height_px,
+                                       int32_t z_near, int32_t z_far);
 
 /* Set an orthographic camera at the origin that looks down -z.
  *
  * height  world units that the frame's height spans, > 0.
  * z_near, z_far  world units, -ZS_WORLD_MAX <= near < far <= ZS_WORLD_MAX.
  * Return  ZS_OK; ZS_ERR_CAMERA (one of them is out of range): camera is untouched. */
-int zs_camera_orthographic(struct zs_camera *camera, int32_t height, int32_t z_near, int32_t z_far);
+ZS_NODISCARD int zs_camera_orthographic(struct zs_camera *camera, int32_t height, int32_t z_near,
+                                        int32_t z_far);
 
 /* Place a camera at eye and let it look at a point, or along a direction. Only rot and pos change.
  *
@@ -65,10 +66,10 @@ int zs_camera_orthographic(struct zs_camera *camera, int32_t height, int32_t z_n
  * Error    <= 2^-27 an element of rot.
  * Return   ZS_OK; ZS_ERR_RANGE; ZS_ERR_VECTOR (eye is at, or up is parallel to the view): camera is
  *          untouched. */
-int zs_camera_look_at(struct zs_camera *camera, const int32_t eye[3], const int32_t at[3],
-                      const int32_t up[3]);
-int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3], const int32_t dir[3],
-                         const int32_t up[3]);
+ZS_NODISCARD int zs_camera_look_at(struct zs_camera *camera, const int32_t eye[3],
+                                   const int32_t at[3], const int32_t up[3]);
+ZS_NODISCARD int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3],
+                                      const int32_t dir[3], const int32_t up[3]);
 
 /* Look at a point from a distance, with +y upwards.
  *
@@ -77,8 +78,8 @@ int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3], const i
  * pitch     -16383 .. 16383, a signed angle, 65536 to the turn: > 0 raises the eye.
  * Return    ZS_OK; ZS_ERR_RANGE; ZS_ERR_VECTOR (pitch or distance out of range): camera is
  *           untouched. */
-int zs_camera_orbit(struct zs_camera *camera, const int32_t at[3], int32_t distance, zs_turn yaw,
-                    int16_t pitch);
+ZS_NODISCARD int zs_camera_orbit(struct zs_camera *camera, const int32_t at[3], int32_t distance,
+                                 zs_turn yaw, int16_t pitch);
 
 #ifdef __cplusplus
 }

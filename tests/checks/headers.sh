@@ -227,6 +227,20 @@ for compiler in gcc clang g++ clang++; do
     fi
 done
 
+# A camera that stays as it was, because near was 0 and nobody looked: the compiler says which function
+printf '#include "zstrip.h"\nvoid near_0(struct zs_camera *c);\nvoid near_0(struct zs_camera *c)\n{\n    %s\n}\n' \
+    'zs_camera_perspective(c, 8192, 240, 0, 100);' >"$dir/not_looked.c"
+sed 's/zs_camera_p/(void)zs_camera_p/' "$dir/not_looked.c" >"$dir/looked.c"
+for compiler in 'gcc -std=c2x' 'clang -std=c2x' 'g++ -x c++ -std=c++17' 'clang++ -x c++ -std=c++17'; do
+    if $compiler -Werror -Ifirmware/zstrip -c "$dir/looked.c" -o /dev/null 2>"$B/headers.txt" &&
+        ! $compiler -Werror -Ifirmware/zstrip -c "$dir/not_looked.c" -o /dev/null 2>"$B/headers.txt" &&
+        grep -q zs_camera_perspective "$B/headers.txt"; then
+        ok "an error that is not looked at is a warning, $compiler"
+    else
+        bad "an error that is not looked at is a warning, $compiler" "$(first_error)"
+    fi
+done
+
 # Eight varyings: a library that is compiled for them interpolates all alike, whole and cut at the near plane.
 cat >"$dir/eight.c" <<'END'
 #include "zs_shader.h"

@@ -343,7 +343,8 @@ static void sheet_winding(struct world *w)
 {
     static struct zs_cluster part[8];
     for (uint32_t k = 0; k < 8; k++)
-        part[k] = (struct zs_cluster){ 16 * k, 16, { 0, 0, (int16_t)(100 * k - 350) }, 404, { 0, -127, 0 }, 1, 1000 };
+        part[k] = (struct zs_cluster){ .first = 16 * k, .n_tris = 16, .center = { 0, 0, (int16_t)(100 * k - 350) },
+                                       .radius = 404, .axis = { 0, -127, 0 }, .cutoff = 1, .height = 1000 };
     w->sheet.cluster = part;
     w->sheet.n_clusters = 8;
     w->sheet.tri = (const uint16_t(*)[3])sheet_turned;

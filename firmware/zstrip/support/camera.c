@@ -6,11 +6,14 @@
 #include "core/fx.h"
 #include "core/rotation.h"
 
-static void origin(struct zs_camera *camera)
+static void origin(struct zs_camera *camera, uint8_t projection, int32_t z_near, int32_t z_far)
 {
     for (int k = 0; k < 9; k++)
         camera->rot[k] = k % 4 == 0 ? ZS_Q30_ONE : 0;
     camera->pos[0] = camera->pos[1] = camera->pos[2] = 0;
+    camera->projection = projection;
+    camera->z_near = (zs_q48_16)z_near * 65536;
+    camera->z_far = (zs_q48_16)z_far * 65536;
 }
 
 int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t height_px,
@@ -26,12 +29,9 @@ int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t heig
     const zs_uq32_32 focal = zs_muldiv_u64((uint64_t)c, (uint64_t)height_px << 31, (uint64_t)s);
     if (focal < ZS_FOCAL_MIN || focal > ZS_FOCAL_MAX)
         return ZS_ERR_CAMERA;
-    origin(camera);
-    camera->projection = ZS_PERSPECTIVE;
+    origin(camera, ZS_PERSPECTIVE, z_near, z_far);
     camera->focal = focal;
     camera->height = 0;
-    camera->z_near = (zs_q48_16)z_near * 65536;
-    camera->z_far = (zs_q48_16)z_far * 65536;
     return ZS_OK;
 }
 
@@ -39,12 +39,9 @@ int zs_camera_orthographic(struct zs_camera *camera, int32_t height, int32_t z_n
 {
     if (height <= 0 || z_near >= z_far || z_far > ZS_WORLD_MAX || z_near < -ZS_WORLD_MAX)
         return ZS_ERR_CAMERA;
-    origin(camera);
-    camera->projection = ZS_ORTHOGRAPHIC;
+    origin(camera, ZS_ORTHOGRAPHIC, z_near, z_far);
     camera->focal = 0;
     camera->height = (zs_q48_16)height * 65536;
-    camera->z_near = (zs_q48_16)z_near * 65536;
-    camera->z_far = (zs_q48_16)z_far * 65536;
     return ZS_OK;
 }
 
