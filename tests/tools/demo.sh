@@ -80,6 +80,12 @@ demo effects_7 --scene cockpit --size 64x48 --frames 2 --strip 7 --fast none
 for t in 000 001; do
     cmp -s effects/cockpit_$t.png effects_7/cockpit_$t.png || wrong "another picture in strips of 7 rows"
 done
+demo effects --scene cockpit --frames 1
+look pixel effects/cockpit_000.png 120 20
+case $seen in # the fin, red
+[89a-f]?[0-4]?[0-4]?) ;;
+*) wrong "the mirror shows no tail: $seen" ;;
+esac
 for option in '--show overdraw' '--method painter'; do
     # shellcheck disable=SC2086
     z demo --out effects --scene cubes,cockpit $option

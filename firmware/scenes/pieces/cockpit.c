@@ -89,7 +89,7 @@ static void ball_bounds(const struct zs_item *item, int32_t box[4])
 
 static const struct zs_item_kind ball = { .draw = ball_draw, .bounds = ball_bounds };
 
-#define ITEMS 32u
+#define ITEMS 28u
 static struct zs_item item[ITEMS];
 static struct zs_overlay gauges = { .item = item };
 static char number[3][6];
@@ -214,7 +214,7 @@ static void add_gauges(const struct flight *a, const struct zs_rect *mirror, uin
 
 /* ---- A frame ---------------------------------------------------------------------------------------------------- */
 
-static struct zs_instance behind[12];
+static struct zs_instance behind[7];
 static struct zs_scene ahead_scene, behind_scene;
 static struct zs_camera ahead, mirrored;
 static struct zs_mirror glass;

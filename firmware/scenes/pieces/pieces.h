@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-#define PIECE_PASSES_MAX 3u
+#define PIECE_PASSES_MAX 2u
 
 /* A demo scene, and what a frame of it takes besides. demo.pose fills what is static in the piece's file (overlays,
  * fog, passes), so that one picture of a piece is drawn at a time. */
