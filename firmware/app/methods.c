@@ -1,5 +1,5 @@
-/* Methods of hidden-surface removal side by side: frame 0 of some scenes by each of them, a line of CSV each. Strips of 24
- * rows, one buffer, pools that take the scene in one set; the checksum is FNV-1a, 64 bits, over the frame's bytes.
+/* Methods of hidden-surface removal side by side: frame 0 of some scenes by each of them, a line of CSV each. Strips of
+ * 24 rows, one buffer, pools that take the scene in one set; the checksum is FNV-1a, 64 bits, over the frame's bytes.
  *
  * Lines: method,scene,instructions,arena,sorted,splits,rays,checksum
  *

@@ -93,6 +93,7 @@ static const struct sim_option table[] = {
     { "--fit", SIM_OPTION_TEXT, AT(fit), .value = "PART",
       .help = "the largest strip for these pools, and the largest pools for this strip" },
     { "--methods", SIM_OPTION_FLAG, AT(methods), .help = "the largest scene that --ram holds, by each method" },
+    { "--effects", SIM_OPTION_FLAG, AT(effects), .help = "what a pixel and a vertex take by each effect, and its RAM" },
     { "--ram", SIM_OPTION_COUNT, AT(ram), 0, 1, 1e9, .value = "BYTES",
       .help = "all that --methods may take, with renderer, scene and stack (16384)" },
     { "--check", SIM_OPTION_FILE, AT(check),
@@ -512,6 +513,8 @@ static int report(const struct budget_request *rq)
         return status;
     if (rq->methods)
         return budget_methods(rq, &b);
+    if (rq->effects)
+        return budget_effects(rq, &b);
     if (rq->fit)
         return budget_fit(rq, &b);
     budget_ram(&b.ram, rq, &b.config, b.n_instances);

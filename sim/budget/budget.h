@@ -27,7 +27,7 @@ struct budget_request {
     int has_tris, has_verts, has_strip, has_core, has_mhz, has_cpi, has_buffer, has_scene_tris, has_scene_verts;
     int state, textbook, csv, help; /* flags */
     int quiet;                      /* flag: nothing is said of materials that count as others */
-    int methods;                    /* flag: --methods */
+    int methods, effects;           /* flags */
     long ram;                       /* --ram: bytes for --methods */
 };
 
@@ -121,6 +121,8 @@ int budget_fit(const struct budget_request *rq, const struct budget *b);
 int budget_methods(const struct budget_request *rq, const struct budget *b);
 /* Triangles of the scene that a pool of a method holds at once; the pool for so many. */
 uint32_t budget_method_holds(const struct sim_method *method, uint32_t pool);
+/* --effects: what a pixel and a vertex take by each, and RAM. */
+int budget_effects(const struct budget_request *rq, const struct budget *b);
 /* --check: SIM_OK; SIM_REFUSED, each limit that is exceeded said on standard output, the number of them as the message.
  * */
 struct budget_figure {

@@ -5,6 +5,7 @@
 #
 # Usage: tests/lab/effects.sh BUILD          the check and a table
 #        tests/lab/effects.sh BUILD record   the record on standard output, with cycles on the emulated RP2040
+#        tests/lab/effects.sh BUILD header   sim/budget/record_effects.h from the record
 #        tests/lab/effects.sh BUILD pico     those cycles alone
 #
 # SPDX-License-Identifier: MIT
@@ -21,7 +22,25 @@ pico() { # lines "RP2040 CYCLES NAME"
         image >&2 && timeout 1800 node "$top/pico/parts.mjs" "$top/fw/effects-pico/effects" >"$out/pico.csv" || return 1
     sed -n 's/^\([^#]*\),\([0-9][0-9]*\),[0-9]*\r*$/RP2040 \2 \1/p' "$out/pico.csv"
 }
-if [ "${2:-}" = pico ]; then
+if [ "${2:-}" = header ]; then
+    cat <<'END'
+/* Instructions of 100 pixels, or of 100 vertices, by each effect, cycles on the RP2040, as tests/records/effects.txt
+ * has them (make effects-record).
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_RECORD_EFFECTS_H
+#define SIM_RECORD_EFFECTS_H
+
+static const struct {
+    const char *core, *name;
+    double hundred;
+} record_effects[] = {
+END
+    sed -n 's/^\(M[0-9]\|RP2040\) \([0-9]*\) \(.*\)/    { "\1", "\3", \2 },/p' $record
+    printf '};\n\n#endif\n'
+    exit
+elif [ "${2:-}" = pico ]; then
     pico
     exit
 fi

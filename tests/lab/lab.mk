@@ -78,7 +78,8 @@ methods-worlds methods-worlds-record: $(B)/.setup-test
 effects: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/effects.sh $(B)
 effects-record: $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/lab/effects.sh $(B) record >$(B)/effects.txt && mv $(B)/effects.txt tests/records/effects.txt
+	@sh tests/lab/effects.sh $(B) record >$(B)/effects.txt && mv $(B)/effects.txt tests/records/effects.txt && \
+	    sh tests/lab/effects.sh $(B) header >$(B)/effects.h && mv $(B)/effects.h sim/budget/record_effects.h
 ## gallery: build/gallery/index.html, every method on one page, with instructions on a Cortex-M3
 gallery: sim methods
 	@$(B)/zsim gallery --out $(B)/gallery --m3 $(B)/methods/mps2.csv

@@ -137,6 +137,21 @@ is "ms of 72 MHz, 1.4 cycles each" "$(csv draw_ms)" \
 budget --scene city --method painter --frame 3 --part stm32f103c8 --csv
 is "no time where none was measured" "$(csv draw_ms)$(csv fps)" ''
 
+begin effects_take_what_is_on_record
+budget --effects --size 100x50 --strip 10 --buffers 1 --tris 10 --verts 30 --csv
+is "as many as on record" "$(grep -c '^pixel\|^vertex' stdout)" "$(grep -c '^M3' "$top/tests/records/effects.txt")"
+want=$(awk '$3 == "texture" && NF == 3 { n[$1] = $2 / 100 }
+    END { printf "%.2f,%.2f,%.2f", n["M0"], n["M3"], n["RP2040"] }' "$top/tests/records/effects.txt")
+is "texture, on three cores" "$(sed -n 's/^pixel,"texture",//p' stdout)" "$want"
+is "a shadow map" "$(sed -n 's/^ram,shadow map, 64x64,\([0-9]*\).*/\1/p' stdout)" 8192
+more=$(sed -n 's/^ram,four samples a pixel,\([0-9]*\).*/\1/p' stdout)
+budget --size 100x50 --strip 10 --buffers 1 --tris 10 --verts 30 --csv
+single=$(csv arena)
+budget --size 200x100 --strip 20 --buffers 1 --tris 10 --verts 30 --csv
+is "four samples" "$more" $(($(csv arena) - single))
+budget --effects --size 100x50
+grep -q '^  a vertex: lit  *[0-9]*  *[0-9]*  *[0-9]*$' stdout || wrong "no vertex"
+
 begin report_and_csv_agree
 budget --panel st7789:240x240 --tris 2000 --verts 1200 --shade smooth --csv
 want="$(csv color) $(csv tris) $(csv arena) $(csv ram) $(csv wire_bytes)"

@@ -65,8 +65,8 @@ static void cut(int32_t w, int32_t size)
     }
 }
 
-/* Instructions of a frame. samples: 1; 3: four, not averaged; 4: averaged. sum, if not NULL, becomes the checksum of what
- * is sent, which takes instructions, too. */
+/* Instructions of a frame. samples: 1; 3: four, not averaged; 4: averaged. sum, if not NULL, becomes the checksum of
+ * what is sent, which takes instructions, too. */
 static uint64_t taken(const struct zs_material *material, const struct zs_resolve *hook, int samples, uint64_t *sum,
                       int *err)
 {
@@ -124,7 +124,7 @@ static void row(const char *name, const struct zs_material *material)
     print(name, whole - taken(material, 0, 1, 0, &err), W / 2 * H, sum, err);
 }
 
-/* ---- Vertices ---------------------------------------------------------------------------------------------------- */
+/* ---- Vertices ------------------------------------------------------------------------------------------------ */
 
 #define SIDE 16 /* squares of a sheet, each way */
 
