@@ -49,7 +49,7 @@ $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtes
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_raycast: $(call t,sim/reference/reference.c sim/reference/rays.c)
 $(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c $(FRAME))
-$(B)/test/test_threads $(B)/test/test_golden: $(call t,$(FRAME))
+$(B)/test/test_threads $(B)/test/test_golden $(B)/test/test_lanes: $(call t,$(FRAME))
 $(B)/test/tests/tools/test_help.o: TEST_CC += -Isim/lab -Isim/linux
 $(B)/test/test_help: $(call t,tests/tools/test_help.c sim/linux/linux_options.c $(filter-out %/main.c,$(ZLAB))) \
                      $(B)/test/libtest.a $(B)/libmeshes.a
