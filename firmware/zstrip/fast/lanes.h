@@ -136,13 +136,16 @@ ZS_ALWAYS_INLINE void zs_lanes_draw(struct zs_job *job, struct zs_lanes *lanes,
                                     zs_lanes_fn *rows)
 {
     int32_t y = job->row, written = 0;
-    struct zs_lanes_walk w = { .down = { p[0]->gy, p[1]->gy, p[2]->gy, p[3]->gy },
-                               .row = job->depth + (y - job->y0) * job->pitch,
-                               .beside = (uintptr_t)job->color - (uintptr_t)job->depth,
-                               .pitch = (uintptr_t)(uint32_t)job->pitch * 2u,
-                               .width = job->width,
-                               .palette = t ? t->palette : 0,
-                               .texel = t ? t->texel : 0 };
+    struct zs_lanes_walk w; /* one by one: a compiler clears the whole of it else */
+    for (int k = 0; k < 4; k++)
+        w.down[k] = p[k]->gy;
+    w.row = job->depth + (y - job->y0) * job->pitch;
+    w.beside = (uintptr_t)job->color - (uintptr_t)job->depth;
+    w.pitch = (uintptr_t)(uint32_t)job->pitch * 2u;
+    w.width = job->width;
+    w.tested = w.column = 0;
+    w.palette = t ? t->palette : 0;
+    w.texel = t ? t->texel : 0;
     for (;;) {
         if (y < job->cut_end) {
             w.cut = job->cut;
