@@ -36,7 +36,7 @@ firmware() { # GOAL CORE STEPS COARSE BOUND
         board=pico
         folder=$build/fw/pico
         flags="$flags -DSTUDY_ARENA=120000u -DSTUDY_TICK=125u -DSTUDY_SHORT=1"
-        cpu='-mcpu=cortex-m0plus -mthumb' ;;
+        cpu='-mcpu=cortex-m0plus -mthumb -DZS_RP2040=1' ;;
     host)
         board=host
         folder=$build/fw/host

@@ -5,7 +5,7 @@ BOARD_FLASH = 2097152
 BOARD_RAM = 270336
 BOARD_IMAGES = bin uf2
 BOARD_CC = arm-none-eabi-gcc
-BOARD_CPU = -mcpu=cortex-m0plus -mthumb
+BOARD_CPU = -mcpu=cortex-m0plus -mthumb -DZS_RP2040=1
 DATA_CPU = -mcpu=cortex-m0 -mthumb
 OPT = -O3
 BOARD_HAL = rp2040

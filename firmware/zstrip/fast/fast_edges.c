@@ -1,8 +1,10 @@
 /* Spans of tiny triangles, both sides in one loop, with a division for each side and row, for cores
- * with a divide instruction (compare core/edges.c).
+ * with a divide instruction (compare core/edges.c), and for an RP2040, whose divider takes eight
+ * cycles: 31 cycles a row in place of 100, 0.3 of 8 million in scene teapot.
  *
  * SPDX-License-Identifier: MIT
  */
+#include "arch/lanes.h"
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/job.h"
@@ -24,6 +26,43 @@ static inline struct side side_of(int32_t x, int32_t off, int32_t dx, int32_t dy
     return s;
 }
 
+#if ZS_RP2040
+
+#define FROM_SIO(at) "[%[sio], #" #at "]\n\t"
+#define DIVIDE(side)                                                                               \
+    "str %[" #side "], " FROM_SIO(0x60) "str %[" #side "_span], " FROM_SIO(0x64) /* operands */    \
+        "add %[" #side "], %[" #side "_step]\n\t"
+
+/* Find the spans of the next n > 0 rows by SIO's divider, whose quotient can be read after eight
+ * cycles: 31 cycles a row. */
+static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t from,
+                                       struct side *left, struct side *right)
+{
+    struct zs_cut *const end = cut + n;
+    uint32_t column;
+    __asm__ volatile(
+        ".syntax unified\n"
+        "1:\n\t" DIVIDE(left) "b 2f\n2:\tb 2f\n2:\tb 2f\n2:\tnop\n\t" /* seven cycles */
+                              "ldr %[column], " FROM_SIO(0x70)
+                                  DIVIDE(right) "add %[column], %[from]\n\t"
+                                                "strh %[column], [%[cut]]\n\t"
+                                                "b 2f\n2:\tb 2f\n2:\t"
+                                                "ldr %[column], " FROM_SIO(
+                                                    0x70) "add %[column], %[from]\n\t"
+                                                          "strh %[column], [%[cut], #2]\n\t"
+                                                          "adds %[cut], #4\n\t"
+                                                          "cmp %[cut], %[end]\n\t"
+                                                          "bne 1b"
+        : [cut] "+l"(cut), [left] "+l"(left->sum), [right] "+l"(right->sum), [column] "=&l"(column)
+        : [sio] "l"(0xd0000000u), [left_span] "l"(left->span), [right_span] "l"(right->span),
+          [left_step] "h"(left->step), [right_step] "h"(right->step), [from] "h"(from),
+          [end] "h"(end)
+        : "cc", "memory");
+    return cut;
+}
+
+#else
+
 /* Find the spans of the next n rows. */
 static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t from,
                                        struct side *left, struct side *right)
@@ -39,6 +78,8 @@ static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t fr
     return cut;
 }
 
+#endif
+
 ZS_IN_ORDER static ZS_NOINLINE int tiny_cuts(struct zs_job *job, int32_t row)
 {
     const struct zs_geom *g = &job->geom;
@@ -51,7 +92,9 @@ ZS_IN_ORDER static ZS_NOINLINE int tiny_cuts(struct zs_job *job, int32_t row)
     const int32_t upper = zs_max32(zs_min32(job->row_mid, end) - row,
                                    0); /* rows above the middle vertex */
     struct side left = side_of(x, off, g->dx2, g->dy2), right = side_of(x, off, g->dx1, g->dy1);
-    struct zs_cut *const cut = sides_cut(job->cut, upper, from, &left, &right);
+    struct zs_cut *const cut = ZS_RP2040 && upper <= 0
+                                   ? job->cut
+                                   : sides_cut(job->cut, upper, from, &left, &right);
     const int32_t lower = end - row - upper, down = off + upper * ZS_SUBPX_ONE;
     if (lower <= 0)
         return 1;
@@ -63,4 +106,4 @@ ZS_IN_ORDER static ZS_NOINLINE int tiny_cuts(struct zs_job *job, int32_t row)
     return 1;
 }
 
-const struct zs_fast zs_fast_edges = { .edges = ZS_DIVIDES ? tiny_cuts : 0 };
+const struct zs_fast zs_fast_edges = { .edges = ZS_DIVIDES || ZS_RP2040 ? tiny_cuts : 0 };

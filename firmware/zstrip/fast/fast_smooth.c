@@ -5,6 +5,7 @@
  */
 #include "core/fast.h"
 #include "core/fx.h"
+#include "fast/lanes.h"
 #include "fast/less.h"
 #include "shade/persp.h"
 #include "zs_fast.h"
@@ -60,7 +61,10 @@ static int smooth_rows(struct zs_job *job)
 {
     if (job->sub_log2 != ZS_AFFINE || job->saturates)
         return zs_fast_less_rows(job);
-    affine_rows(job);
+    if (ZS_LANES_USED)
+        zs_lanes_smooth_rows(job);
+    else
+        affine_rows(job);
     return 1;
 }
 

@@ -8,6 +8,7 @@
 #include "core/pass.h"
 #include "core/plane.h"
 #include "zs_shader.h"
+#include "fast/lanes.h"
 #include "fast/less.h"
 #include "fast/small.h"
 #include "shade/texture.h"
@@ -339,7 +340,10 @@ static void divided(struct zs_job *job, const struct zs_row *row, int32_t i, int
 
 static int texture_rows(struct zs_job *job)
 {
-    if (!job->texel || !job->sampler.direct || !job->sampler.unlit || job->saturates)
+    const int fits = job->texel && job->sampler.direct && !job->saturates;
+    if (ZS_LANES_USED && fits && zs_lanes_texture_rows(job))
+        return 1;
+    if (!fits || !job->sampler.unlit)
         return zs_fast_less_rows(job);
     job->texel->rows(job);
     return 1;
