@@ -226,7 +226,8 @@ all_maps='"normalTexture":{"index":2},"occlusionTexture":{"index":2},"emissiveTe
     "{\"name\":\"maps\",$all_maps,$(pbr \
         '"metallicRoughnessTexture":{"index":2},"baseColorTexture":{"index":3}')}" "$both_sides" \
     "{\"name\":\"wet\",\"emissiveFactor\":[0.2,0,0],$(pbr '"roughnessFactor":0.3,"baseColorTexture":{"index":2}')}"
-./make looks looks fence - "{\"name\":\"fence\",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.3,$(pbr '"baseColorTexture":{"index":1}')}"
+cut='"alphaMode":"MASK","alphaCutoff":0.3'
+./make looks looks fence - "{\"name\":\"fence\",$cut,$(pbr '"baseColorTexture":{"index":1}')}"
 metal() { # NAME ROUGHNESS MORE
     echo "{\"name\":\"$1\",$3\"pbrMetallicRoughness\":{\"metallicFactor\":1,\"roughnessFactor\":$2,"
     echo '"baseColorFactor":[1,0.5,0,1]}}'
