@@ -392,6 +392,9 @@ lacks look/m.h M_METHOD
 convert look looks/metal.gltf
 holds look/m.c '.specular = { 255, 128, 0 }, .emission = { 0, 0, 0 }, .flags = ZS_LIT_TWO_SIDED }, /* "gold" */'
 line shade_smooth '.rgb = { 255, 128, 0 }' 'BACK }, /* "rough" */'
+begin alpha_of_a_picture_alone_is_named
+convert look looks/hole.png
+holds stdout '  not carried over: alpha of a texture (1)'
 begin plain_materials_need_no_method
 lacks many_materials/m.h M_METHOD
 lacks many_materials/m.c zs_filter.h
