@@ -575,6 +575,8 @@ void sim_convert_figures(FILE *f, const struct sim_conversion *c, const char *le
 {
     if (c->made.pieces.n_pieces > 0)
         mesh_figures(f, c, lead);
+    else
+        sim_losses_print(f, lead, c->made.pieces.lost);
     texture_figures(f, c, lead);
     flash(f, c, lead);
 }
