@@ -71,8 +71,8 @@ methods-record: $(B)/.setup-test $(B)/gen/meshes.h
 	    sh tests/lab/methods.sh $(B) header >$(B)/methods.h && mv $(B)/methods.h sim/budget/record_methods.h
 ## methods-worlds: every method against the depth buffer on 10,000 random worlds; methods-worlds-record: as the report
 methods-worlds methods-worlds-record: $(B)/.setup-test
-	+@$(MAKE_ALL) $(B)/test/test_methods
-	@sh tests/lab/worlds.sh $(B) \
+	+@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' $(B)/quick/test/test_methods
+	@sh tests/lab/worlds.sh $(B)/quick \
 	    $(if $(findstring record,$@),>$(B)/worlds.txt && mv $(B)/worlds.txt tests/records/WORLDS.txt)
 ## effects: what a pixel takes by each effect and overlay, on Cortex-M0 and M3; effects-record: as the record
 effects: $(B)/.setup-test $(B)/gen/meshes.h

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Every method of hidden-surface removal against the depth buffer on random worlds with cycles and intersections
-# (tests/property/test_methods.c, of which make test runs 150), under ASan and UBSan.
+# (tests/property/test_methods.c, of which make test runs 150 under ASan and UBSan), as make quick builds it.
 #
 # Usage: tests/lab/worlds.sh BUILD [N]   N worlds, 10,000 unless said; the report of tests/records on standard output
 #
