@@ -194,7 +194,7 @@ begin loader_ends_with_its_parent
 LOADER_FAULT=sleep LD_PRELOAD=$work/fault.so "$zsim" render tri.obj --out refused/new.png >stdout 2>stderr &
 pid=$!
 for i in 1 2 3 4 5 6 7 8 9 10; do
-    child=$(cat /proc/$pid/task/$pid/children 2>/dev/null)
+    child=$(tr -d " " </proc/$pid/task/$pid/children 2>/dev/null)
     [ -z "$child" ] || break
     sleep 0.2
 done
@@ -205,7 +205,10 @@ for i in 1 2 3 4 5 6 7 8 9 10; do
     [ -e "/proc/${child:-0}" ] || break
     sleep 0.2
 done
-[ ! -e "/proc/${child:-0}" ] || wrong "the loader lives on"
+if [ -e "/proc/${child:-0}" ]; then
+    wrong "the loader lives on"
+    kill -9 "$child"
+fi
 untouched
 
 # ---- Mutations ----------------------------------------------------------------------------------

@@ -36,6 +36,11 @@ awk 'BEGIN {
 moving() { # ARGUMENT...
     if ! seen=$(./moving "$@"); then wrong "moving $*: $seen"; fi
 }
+frame() { # FILE K TO [PART]    its pixels
+    of=$1 number=$2 pixels=$3
+    shift 3
+    ./moving "$of" "$number" "$@" >"$pixels" || wrong "frame $number of $of: $(head -c 100 "$pixels")"
+}
 trial() { # DIR MODEL OPTION...
     dir=$1
     shift
@@ -56,12 +61,12 @@ is "width, height, frames, ms of the sheet" "${seen% *}" "960 480 1 0"
 trial b long.obj --frames 8 --size 100x60 --gif
 is "files with --gif" "$(ls -A b | tr '\n' ' ')" "sheet.png turntable.gif turntable.png "
 for k in 0 1 2 3 4 5 6 7; do
-    ./moving b/turntable.png $k >frame.rgb
-    ./moving b/sheet.png 0 $((k % 4 * 100)) $((k / 4 * 60)) 100 60 >cell.rgb
+    frame b/turntable.png $k frame.rgb
+    frame b/sheet.png 0 cell.rgb $((k % 4 * 100)) $((k / 4 * 60)) 100 60
     cmp -s frame.rgb cell.rgb || wrong "view $k of the sheet is not frame $k"
-    ./moving b/turntable.gif $k >gif.rgb
+    frame b/turntable.gif $k gif.rgb
     cmp -s frame.rgb gif.rgb || wrong "frame $k of the GIF, of fewer than 256 colours, is not the PNG's"
-    [ $k -eq 0 ] || ! cmp -s frame.rgb before.rgb || wrong "frame $k is the one before"
+    [ "$k" -eq 0 ] || ! cmp -s frame.rgb before.rgb || wrong "frame $k is the one before"
     mv frame.rgb before.rgb
 done
 trial c ball.obj
@@ -72,9 +77,13 @@ obj colors 'v 0 0 0 1 0 0' 'v 4 0 0 0 1 0' 'v 4 3 0 0 0 1' 'v 0 3 0 1 1 1' 'v 2 
     'f 1 2 5' 'f 2 3 5' 'f 3 4 5' 'f 4 1 5' 'f 1 4 3 2'
 z render colors.obj --shade smooth --turntable 5 --out colors.gif --size 200x150
 z render colors.obj --shade smooth --turntable 5 --out colors.png --size 200x150
+z render colors.obj --shade smooth --out still.png --size 200x150
+frame still.png 0 still.rgb
+frame colors.png 0 png.rgb
+cmp -s still.rgb png.rgb || wrong "the first frame is not what render draws"
 for k in 0 1 2 3 4; do
-    ./moving colors.gif $k >gif.rgb
-    ./moving colors.png $k >png.rgb
+    frame colors.gif $k gif.rgb
+    frame colors.png $k png.rgb
     cmp -l gif.rgb png.rgb | awk -v k=$k 'function dec(o) { return int(o / 100) * 64 + int(o / 10) % 10 * 8 + o % 10 }
         { d = dec($2) - dec($3); sum += d * d }
         END { if (sum / (200 * 150 * 3) > 40) { print k, sum / 90000; exit 1 } }' >far ||
@@ -150,15 +159,15 @@ for size in 60x60 50x80; do
     is status $status 0
     for view in '0 1,2,9' '1 9.5,2,0.5' '2 1,2,-8' '3 -7.5,2,0.5'; do
         z render colors.obj --out still.png --size $size --eye ${view#* } --at 1,1,0.5 --cull none
-        ./moving turn.png ${view% *} >turn.rgb
-        ./moving still.png 0 >still.rgb
+        frame turn.png ${view% *} turn.rgb
+        frame still.png 0 still.rgb
         cmp -s turn.rgb still.rgb || wrong "view ${view% *} is not what is seen from ${view#* }"
     done
 done
 z render colors.obj --turntable 1 --out turn.png
 z render colors.obj --out still.png
-./moving turn.png 0 >turn.rgb
-./moving still.png 0 >still.rgb
+frame turn.png 0 turn.rgb
+frame still.png 0 still.rgb
 cmp -s turn.rgb still.rgb || wrong "a turn of one view is not the frame"
 z render colors.obj --turntable 3 --out turn.png --panel ssd1306:128x64
 moving turn.png
@@ -217,8 +226,8 @@ for n in 2000 800; do
         END { print n, edge + 0, most; exit !(n > 5000 && edge < 60 && most > 0 && most < 0.08) }' >surface ||
         wrong "at $n triangles: pixels, of them at the edge, farthest off: $(cat surface)"
     # texture coordinates go with it: most texels are the same
-    ./moving s0.png 0 >t0
-    ./moving s1.png 0 >t1
+    frame s0.png 0 t0
+    frame s1.png 0 t1
     same=$(cmp -l t0 t1 | wc -l)
     [ "$same" -lt $((240 * 240 * 3 / 4)) ] || wrong "at $n triangles $same bytes of texels are others"
 done
