@@ -160,10 +160,10 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
     zs_bin_pack_new(r);
 }
 
-/* Return 1 if a share of a pool is free: an eighth, and `more`. */
-static ZS_RARE int roomy(uint32_t used, uint32_t all, uint32_t more)
+/* Return 1 if a share of a pool is free, and `more`. */
+static ZS_RARE int roomy(uint32_t used, uint32_t all, uint32_t share, uint32_t more)
 {
-    return all - used >= zs_minu32(all / ROOM + more, all);
+    return all - used >= zs_minu32(all / share + more, all);
 }
 
 ZS_RARE void zs_bin_count(struct zs_renderer *r)
@@ -189,18 +189,20 @@ static ZS_RARE void shrink(struct zs_renderer *r)
     r->vert_packed = r->tris_packed = 0;
 }
 
+/* More vertices are free where most triangles that follow lie below the band, in the first walk,
+ * and where little is lost because a strip may be drawn in sets. */
 ZS_RARE int zs_bin_room(struct zs_renderer *r)
 {
     r->direct = 0;
     zs_bin_count(r);
     for (;;) {
-        const int full = !roomy(r->n_tris, r->config.max_tris, 1);
-        if (!full) {
+        const int one = r->band_end - r->strip == 1;
+        if (roomy(r->n_tris, r->config.max_tris, ROOM, 1)) {
             zs_bin_pack_new(r);
-            if (roomy(r->n_verts, r->config.max_verts, 3))
+            if (roomy(r->n_verts, r->config.max_verts, one || r->counting ? ROOM / 2u : ROOM, 3))
                 return 1;
         }
-        if (r->band_end - r->strip <= 1)
+        if (one)
             return 0;
         shrink(r);
     }
