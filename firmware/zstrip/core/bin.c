@@ -1,13 +1,13 @@
 /* Binning: the pools of vertices and triangles, and a bin for each strip.
  *
- * The band. A traversal bins triangles for a band of strips. It starts with all strips from the
- * current one down. When a pool is full, the band loses its lower half; the triangles that begin
- * there are removed, and so are the vertices that no triangle uses any more. If the band is a
- * single strip and a pool is still full, zs_bin_room returns 0, and walk.c draws the binned
- * triangles. So a pool that holds one triangle is enough for any scene; it only takes more
- * traversals.
+ * The band. A traversal bins triangles for a band of strips. When a pool is full, vertices that no
+ * triangle uses are removed. If that is not enough, the band ends earlier: the triangles that begin
+ * below it are removed too. If the band is a single strip and a pool is still full, zs_bin_room
+ * returns 0, and walk.c draws the binned triangles. So a pool that holds one triangle is enough for
+ * any scene; it only takes more traversals. A bin below the band counts the triangles that begin
+ * there, from which the next traversal's band is chosen.
  *
- * The vertex cache. vert_map[v] is the index in the pool where vertex v of the current mesh may be.
+ * The vertex cache. vert_map[v & mask] is the index in the pool where vertex v of the mesh may be.
  * It is used only if that index belongs to the current instance and vert_src holds v there, so the
  * map needs no clearing. While r->direct is set, by an accelerator, vertex v is at vert_base + v.
  *

@@ -1,6 +1,7 @@
 /* Whole meshes at a time. If the pool has room for all vertices of a mesh, they are transformed in
- * one loop. Triangles are assembled in batches: a loop with 32-bit products rejects those that face
- * away, then the others are binned.
+ * one loop; else those of each batch are gathered. Triangles are assembled in batches: a loop with
+ * 32-bit products rejects those that face away, then the others are binned. Parts of a mesh that do
+ * not reach the band are left out: fast/parts.c.
  *
  * SPDX-License-Identifier: MIT
  */
