@@ -39,7 +39,8 @@ static void batch_open(struct zs_renderer *r)
     r->batched = (uint8_t)zs_parts_batched(r, r->xform.instance);
     if (!r->batched)
         return;
-    zs_parts_begin(r, 0);
+    if (n > r->config.max_verts)
+        zs_parts_begin(r, 0);
     if (ZS_IF_FAST(r->parts_tris) && !r->counting && !zs_parts_whole(r))
         return;
     if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
