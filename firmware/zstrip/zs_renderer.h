@@ -211,12 +211,13 @@ struct zs_renderer {
     uint16_t *depth;         /* [strip_h][width]: depth buffer; NULL: no depth memory */
     uint16_t *bound;         /* [n_strips][ZS_TILES(width)]: upper bound of the final keys in a tile
                                 (fast/tiles.c) */
-    uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
+    uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL;
+                                below the band: how many begin there */
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */
     uint16_t *vert_src;      /* [max_verts]: the vertex's number in its mesh */
-    uint16_t *vert_map;      /* [max_verts]: vertex number modulo max_verts -> index in the pool; an
-                                entry may be stale, so vert_src is compared */
+    uint16_t *vert_map;      /* [max_verts]: vertex number modulo a power of two -> index in the
+                                pool; an entry may be stale, so vert_src is compared */
     uint16_t *attr;          /* [max_verts][varyings] */
 
     const struct zs_scene *scene; /* of the current pass, borrowed from begin to end; NULL: no frame

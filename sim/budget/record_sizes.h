@@ -14,7 +14,7 @@ enum { RECORD_M0, RECORD_M3, RECORD_CPUS }; /* Armv6-M, Armv7-M; -O2 */
 #define RECORD_zs_instance 64u
 #define RECORD_zs_material 16u
 #define RECORD_zs_mesh 72u
-#define RECORD_zs_renderer 1264u
+#define RECORD_zs_renderer 1280u
 #define RECORD_zs_scene 44u
 #define RECORD_zs_texture 20u
 

@@ -312,20 +312,23 @@ static uint32_t held_by(const struct copy *all, const uint16_t (*slot)[3], uint3
     return held_verts;
 }
 
-static int has_room(uint32_t used, uint32_t all, uint32_t more)
+static int has_room(uint32_t used, uint32_t all, uint32_t share, uint32_t more)
 {
-    const uint32_t least = all / 8u + more;
+    const uint32_t least = all / share + more;
     return all - used >= (least < all ? least : all);
 }
 
 /* Where the band should end: strips go, each time at least one and an eighth of the triangles, until an eighth of both
- * pools is free. *room: 0 if one strip is left and it is not. */
+ * pools is free; of vertices a quarter in one strip and in the first walk.
+ * *room: 0 if one strip is left and it is not. */
 static uint32_t band_wanted(const struct copy *all, const uint16_t (*slot)[3], uint32_t n, int *room)
 {
     const struct zs_renderer *r = &world.r;
     uint32_t end = r->band_end, left = n;
     for (;;) {
-        *room = has_room(left, r->config.max_tris, 1) && has_room(held_by(all, slot, n, end), r->config.max_verts, 3);
+        const uint32_t share = end - r->strip == 1 || r->counting ? 4 : 8;
+        *room = has_room(left, r->config.max_tris, 8, 1) &&
+                has_room(held_by(all, slot, n, end), r->config.max_verts, share, 3);
         if (*room || end - r->strip == 1)
             return end;
         const uint32_t before = left;
@@ -350,6 +353,7 @@ static int room_case(uint64_t seed)
     for (uint32_t t = 0; t < used; t++)
         memcpy(slot[t], r->tri[t].v, sizeof slot[t]);
     int want_room;
+    r->counting = (uint8_t)prng_pick(&p, 2);
     const uint32_t want = band_wanted(before, (const uint16_t (*)[3])slot, used, &want_room);
     if (prng_pick(&p, 4) == 0) { /* vertices that nobody holds are gone already */
         zs_bin_pack(r);

@@ -1,13 +1,13 @@
 /* Binning: the pools of vertices and triangles, and a bin for each strip.
  *
- * The band. A traversal bins triangles for a band of strips. It starts with all strips from the
- * current one down. When a pool is full, the band loses its lower half; the triangles that begin
- * there are removed, and so are the vertices that no triangle uses any more. If the band is a
- * single strip and a pool is still full, zs_bin_room returns 0, and walk.c draws the binned
- * triangles. So a pool that holds one triangle is enough for any scene; it only takes more
- * traversals.
+ * The band. A traversal bins triangles for a band of strips. When a pool is full, vertices that no
+ * triangle uses are removed. If that is not enough, the band ends earlier: the triangles that begin
+ * below it are removed too. If the band is a single strip and a pool is still full, zs_bin_room
+ * returns 0, and walk.c draws the binned triangles. So a pool that holds one triangle is enough for
+ * any scene; it only takes more traversals. A bin below the band counts the triangles that begin
+ * there, from which the next traversal's band is chosen.
  *
- * The vertex cache. vert_map[v] is the index in the pool where vertex v of the current mesh may be.
+ * The vertex cache. vert_map[v & mask] is the index in the pool where vertex v of the mesh may be.
  * It is used only if that index belongs to the current instance and vert_src holds v there, so the
  * map needs no clearing. While r->direct is set, by an accelerator, vertex v is at vert_base + v.
  *
@@ -160,10 +160,10 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
     zs_bin_pack_new(r);
 }
 
-/* Return 1 if a share of a pool is free: an eighth, and `more`. */
-static ZS_RARE int roomy(uint32_t used, uint32_t all, uint32_t more)
+/* Return 1 if a share of a pool is free, and `more`. */
+static ZS_RARE int roomy(uint32_t used, uint32_t all, uint32_t share, uint32_t more)
 {
-    return all - used >= zs_minu32(all / ROOM + more, all);
+    return all - used >= zs_minu32(all / share + more, all);
 }
 
 ZS_RARE void zs_bin_count(struct zs_renderer *r)
@@ -189,18 +189,20 @@ static ZS_RARE void shrink(struct zs_renderer *r)
     r->vert_packed = r->tris_packed = 0;
 }
 
+/* More vertices are free where most triangles that follow lie below the band, in the first walk,
+ * and where little is lost because a strip may be drawn in sets. */
 ZS_RARE int zs_bin_room(struct zs_renderer *r)
 {
     r->direct = 0;
     zs_bin_count(r);
     for (;;) {
-        const int full = !roomy(r->n_tris, r->config.max_tris, 1);
-        if (!full) {
+        const int one = r->band_end - r->strip == 1;
+        if (roomy(r->n_tris, r->config.max_tris, ROOM, 1)) {
             zs_bin_pack_new(r);
-            if (roomy(r->n_verts, r->config.max_verts, 3))
+            if (roomy(r->n_verts, r->config.max_verts, one || r->counting ? ROOM / 2u : ROOM, 3))
                 return 1;
         }
-        if (r->band_end - r->strip <= 1)
+        if (one)
             return 0;
         shrink(r);
     }

@@ -20,7 +20,7 @@ void zs_bin_empty(struct zs_renderer *r);
 void zs_bin_pack(struct zs_renderer *r);
 /* The same after a packing, if no triangle has been removed since. */
 void zs_bin_pack_new(struct zs_renderer *r);
-/* Make room: free at least a quarter of both pools. The band may lose strips. Return 0: the band is
+/* Make room: free at least an eighth of both pools. The band may lose strips. Return 0: the band is
  * a single strip, and there is still no room. */
 int zs_bin_room(struct zs_renderer *r);
 /* Record that the pool's vertices [slot, slot + n) are the mesh's vertices [from, from + n), with

@@ -1,6 +1,7 @@
 /* Whole meshes at a time. If the pool has room for all vertices of a mesh, they are transformed in
- * one loop. Triangles are assembled in batches: a loop with 32-bit products rejects those that face
- * away, then the others are binned.
+ * one loop; else those of each batch are gathered. Triangles are assembled in batches: a loop with
+ * 32-bit products rejects those that face away, then the others are binned. Parts of a mesh that do
+ * not reach the band are left out: fast/parts.c.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -38,7 +39,8 @@ static void batch_open(struct zs_renderer *r)
     r->batched = (uint8_t)zs_parts_batched(r, r->xform.instance);
     if (!r->batched)
         return;
-    zs_parts_begin(r, 0);
+    if (n > r->config.max_verts)
+        zs_parts_begin(r, 0);
     if (ZS_IF_FAST(r->parts_tris) && !r->counting && !zs_parts_whole(r))
         return;
     if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
