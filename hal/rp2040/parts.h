@@ -30,8 +30,8 @@ uint32_t rp2040_us(void);
 void rp2040_pause_us(uint32_t us);
 
 /* The divider of the core that this runs on, as an interrupt finds it: between a division's operands and its result
- * perhaps. What is called between save and restore may divide. Datasheet, 2.3.1.5: results are written last, quotient
- * after remainder. */
+ * perhaps. What is called between save and restore may divide; it must not draw, as a triangle may be in the
+ * interpolators (zstrip/arch/lanes.h). Datasheet, 2.3.1.5: results are written last, quotient after remainder. */
 struct rp2040_divider {
     uint32_t dividend, divisor, remainder, quotient;
 };
