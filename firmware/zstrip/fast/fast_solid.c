@@ -164,11 +164,11 @@ static int small_draw(struct zs_job *job)
 {
     struct zs_small s;
     struct zs_sides w;
-    const enum zs_small_fate fate = zs_small_look(job, &s);
+    if (!zs_small_look(job, &s) || !zs_small_keys(&s, &w))
+        return 0;
+    const enum zs_small_fate fate = zs_small_place(job, &s, &w);
     if (fate != ZS_SMALL_ROWS)
         return (int)fate;
-    if (!zs_small_keys(&s, &w))
-        return 0;
     zs_small_sides(job, &s, &w);
     small_rows(job, &w);
     return 1;

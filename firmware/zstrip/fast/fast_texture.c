@@ -150,16 +150,13 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     struct zs_texel_rows w;
     if (!job->texel)
         return 0;
-    const enum zs_small_fate fate = zs_small_look(job, &s);
-    if (fate != ZS_SMALL_ROWS)
-        return (int)fate;
-
+    if (!zs_small_look(job, &s))
+        return 0;
     const struct zs_renderer *r = job->r;
     const struct zs_view *view = &r->view;
-    const uint32_t nearest = zs_maxu32(zs_maxu32(s.key_a, s.key_b), s.key_c),
-                   farthest = zs_minu32(zs_minu32(s.key_a, s.key_b), s.key_c);
-    const uint32_t change = nearest - farthest; /* of d = piece_base - key */
-    if (view->piece_base - farthest > view->key_known || change > view->key_slow)
+    const int32_t beyond = zs_max32(zs_max32(s.dd1, s.dd2), 0);
+    const uint32_t change = (uint32_t)(beyond - zs_min32(zs_min32(s.dd1, s.dd2), 0));
+    if (s.a->d + (uint32_t)beyond > view->key_known || change > view->key_slow)
         return 0;
     const struct zs_instance *in = zs_instance_of(r, job->tri->instance);
     const struct zs_texture *t = in->material->texture;
@@ -176,6 +173,9 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     if ((cu.range | cv.range) >> 14 || !is_affine(t, &cu, &cv, uv_bits, change, view->key_slow) ||
         !zs_small_keys(&s, &w.sides))
         return 0;
+    const enum zs_small_fate fate = zs_small_place(job, &s, &w.sides);
+    if (fate != ZS_SMALL_ROWS)
+        return (int)fate;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
     if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) |
                       plane(&s, &cv, shift, uv_bits, log2_h, &w, 2)))
