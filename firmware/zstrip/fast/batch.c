@@ -50,8 +50,8 @@ static void batch_open(struct zs_renderer *r)
 
 /* ---- Facing, box and bin --------------------------------------------------------------------- */
 
-/* What the loop over a mesh's triangles needs, in memory: registers are for the triangle in hand.
- */
+/* What the loop over a mesh's triangles needs, in memory: registers are for the
+ * triangle in hand. */
 struct sweep {
     struct zs_renderer *r;
     const uint16_t (*tri)[3];
@@ -73,42 +73,41 @@ struct sweep {
     uint32_t *piece; /* of a clipped triangle, as in zs_assemble_tri */
 };
 
-/* A triangle on the screen: zs_area_short's, , and their numbers in the mesh. */
+/* A triangle on the screen, as zs_area_short sets it, and the numbers of its vertices in the mesh. */
 struct corners {
     int32_t at[6];
     uint32_t i, j;
     const uint16_t *k; /* loaded when it is needed: it would be spilled */
 };
 
-/* Count a triangle that is not binned by place(), for a reason other than its facing. */
-static ZS_NOINLINE void dropped(struct sweep *s, enum zs_fate fate)
+/* Return 1 if a triangle that is large, or has a vertex outside near, far or the guard band, is
+ * outside the view, and count it. */
+static ZS_NOINLINE int outside(struct sweep *s, const uint16_t index[3])
 {
-    s->fate[fate]++;
-    s->fate[ZS_FATE_FACING]--; /* because sweep() counts all that place() does not bin there */
+    const struct zs_vertex *const pool = s->pool;
+    const uint32_t n_verts = s->n_verts;
+    if (index[0] >= n_verts || index[1] >= n_verts || index[2] >= n_verts)
+        return 0;
+    const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
+    if (all > ZS_D_OUT)
+        s->fate[zs_fate_outside(all)]++;
+    return all > ZS_D_OUT;
 }
 
-/* Take a triangle that is large, or has a vertex outside near, far or the guard band, or no area,
- * or comes when the pool is full. Return 0: there is no room for it. */
+/* Take such a triangle that is not, or one that has no area, or comes when the pool is full. Return
+ * 0: there is no room for it. */
 static ZS_NOINLINE int slow_case(struct sweep *s, uint32_t t)
 {
     struct zs_renderer *r = s->r;
-    const struct zs_vertex *const pool = s->pool;
-    const uint16_t *const index = s->tri[t];
-    if (index[0] < s->n_verts && index[1] < s->n_verts && index[2] < s->n_verts) {
-        const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
-        if (all > ZS_D_OUT) {
-            dropped(s, zs_fate_outside(all));
-            return 1;
-        }
-    }
     r->n_tris = s->n;
     const enum zs_fate fate = zs_assemble_tri(r, t, s->piece);
     s->placed -= r->n_tris - s->n;
     s->n = r->n_tris;
     s->out = &r->tri[s->n];
-    if (fate != ZS_FATE_FULL)
-        dropped(s, fate);
-    return fate != ZS_FATE_FULL;
+    if (fate == ZS_FATE_FULL)
+        return 0;
+    s->fate[fate]++;
+    return 1;
 }
 
 /* Return the strip of a box that lies partly outside the rows that are drawn, or ZS_NIL. */
@@ -124,7 +123,7 @@ static ZS_NOINLINE uint32_t aside(struct sweep *s, int32_t empty, int32_t y0, in
     else
         strip = zs_bin_place(r, y0, y1);
     if (strip == ZS_NIL)
-        dropped(s, fate);
+        s->fate[fate]++;
     return strip;
 }
 
@@ -159,7 +158,7 @@ ZS_ALWAYS_INLINE void place(struct sweep *s, uint32_t t, const struct corners *c
                   x1 = zs_first_sample(x + (most & ~(most >> 31))), y0 = zs_first_sample(y + top),
                   y1 = zs_first_sample(y + bottom);
     if (ZS_SELDOM(x1 <= s->x || x0 >= s->x_end)) {
-        dropped(s, ZS_FATE_OFFSCREEN);
+        s->fate[ZS_FATE_OFFSCREEN]++;
         return;
     }
     uint32_t strip;
@@ -202,20 +201,16 @@ static ZS_NOINLINE void place_turned(struct sweep *s, uint32_t t, const uint16_t
 ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint32_t end)
 {
     const uint16_t(*tri)[3] = s->tri + t;
-    const uint32_t from = t;
     for (; t < end; t++, tri++) {
         /* counter-clockwise in the mesh, as most that are not culled */
-        struct corners c = { .i = (*tri)[0], .j = (*tri)[2], .k = &(*tri)[1] };
-        const uint32_t n_verts = s->n_verts, k = *c.k;
+        const uint32_t i = (*tri)[0], j = (*tri)[2], k = (*tri)[1], n_verts = s->n_verts;
         uint32_t wide = 1;
-        int32_t area = 0;
-        if (c.i < n_verts && c.j < n_verts && k < n_verts) {
+        int32_t at[6], area = 0;
+        if (i < n_verts && j < n_verts && k < n_verts) {
             const struct zs_vertex *const pool = s->pool;
-            const int32_t *const u = xy(pool + c.i), *const v = xy(pool + c.j),
-                                 *const w = xy(pool + k);
-            area = zs_area_short(c.at, u, v, w, &wide);
+            area = zs_area_short(at, xy(pool + i), xy(pool + j), xy(pool + k), &wide);
         }
-        if (!wide && area * s->keep < 0)
+        if (wide ? outside(s, *tri) : area * s->keep < 0)
             continue;
         if (wide || area == 0 || s->out == s->full) {
             if (!slow_case(s, t))
@@ -223,14 +218,23 @@ ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint3
         } else if (area < 0) {
             place_turned(s, t, *tri);
         } else {
+            struct corners c = { { at[0], at[1], at[2], at[3], at[4], at[5] }, i, j, &(*tri)[1] };
             ZS_ANEW(c.k);
             place(s, t, &c);
         }
     }
     s->r->n_tris = s->n;
     s->fate[ZS_FATE_DRAWN] += s->placed + s->n;
-    s->fate[ZS_FATE_FACING] += t - from - (s->placed + s->n);
     return t;
+}
+
+/* The sum of all outcomes. */
+static uint32_t sum(const uint32_t fate[ZS_FATES])
+{
+    uint32_t n = 0;
+    for (uint32_t k = 0; k < ZS_FATES; k++)
+        n += fate[k];
+    return n;
 }
 
 static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
@@ -268,7 +272,9 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     s.full = r->tri + r->config.max_tris;
     s.fate = fate;
     s.piece = piece;
-    return sweep(&s, from, end);
+    const uint32_t before = sum(fate), reached = sweep(&s, from, end);
+    fate[ZS_FATE_FACING] += reached - from - (sum(fate) - before); /* all that are left */
+    return reached;
 }
 
 static const struct zs_fast_batch batch = {
