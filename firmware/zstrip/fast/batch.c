@@ -73,7 +73,7 @@ struct sweep {
     uint32_t *piece; /* of a clipped triangle, as in zs_assemble_tri */
 };
 
-/* A triangle on the screen, as zs_area_short sets it, and the numbers of its vertices in the mesh. */
+/* A triangle on the screen, as zs_area_short sets it, and its vertices' numbers in the mesh. */
 struct corners {
     int32_t at[6];
     uint32_t i, j;

@@ -159,7 +159,7 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     if (s.a->d + (uint32_t)beyond > view->key_known || change > view->key_slow)
         return 0;
     const struct zs_instance *in = zs_instance_of(r, job->tri->instance);
-    const struct zs_texture *t = in->material->texture;
+    const struct zs_texture *t = job->texture;
     const uint32_t log2_w = t->log2_w, log2_h = t->log2_h, uv_bits = in->mesh->uv_bits,
                    varyings = r->config.varyings;
     if (t->clamp || !log2_w || !log2_h)
@@ -171,18 +171,18 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     coordinate(&cu, a[0], b[0], c[0]);
     coordinate(&cv, a[1], b[1], c[1]);
     if ((cu.range | cv.range) >> 14 || !is_affine(t, &cu, &cv, uv_bits, change, view->key_slow) ||
-        !zs_small_keys(&s, &w.sides))
+        !zs_small_keys(&s))
         return 0;
-    const enum zs_small_fate fate = zs_small_place(job, &s, &w.sides);
+    const enum zs_small_fate fate = zs_small_place(job, &s);
     if (fate != ZS_SMALL_ROWS)
         return (int)fate;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
     if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) |
                       plane(&s, &cv, shift, uv_bits, log2_h, &w, 2)))
         return 0;
-    w.at[0] = w.sides.key;
-    w.down[0] = w.sides.down[1];
-    w.right[0] = w.sides.gx;
+    w.at[0] = s.key;
+    w.down[0] = (uint32_t)s.gy;
+    w.right[0] = (uint32_t)s.gx;
     w.width = 1u << log2_w;
     w.column = 32u - log2_w;
     w.row = 32u - log2_h;

@@ -29,6 +29,8 @@ struct zs_small {
         n;         /* column of the top vertex's pixel; first row in the strip; number of rows */
     uint32_t rcp;  /* reciprocal of area << shift */
     int32_t shift; /* leading zeros of the area, 2 .. 18 */
+    int32_t gx, gy;
+    uint32_t key;  /* gradients of keys; the key at column 0 of the first row, a half added */
     int32_t x,
         off; /* distance of the top vertex right of the sample in column 0; distance of the first
                 row's samples below the top vertex */
@@ -104,7 +106,7 @@ ZS_ALWAYS_INLINE int zs_small_look(const struct zs_job *job, struct zs_small *s)
 }
 
 /* Compute the gradients of the keys. Return 0 if they are too steep for this path. */
-ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s, struct zs_sides *w)
+ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s)
 {
     const int shift = s->shift = zs_clz32((uint32_t)s->area); /* 2 .. 18 */
     const uint32_t rcp = s->rcp = zs_recip_inline((uint32_t)s->area << shift);
@@ -114,15 +116,14 @@ ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s, struct zs_sides *w)
                                    shift, ZS_PLANE_KEY, 1);
     if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
         return 0;
-    w->gx = (uint32_t)gx;
-    w->down[1] = 0u - (uint32_t)up;
+    s->gx = gx;
+    s->gy = -up;
     return 1;
 }
 
 /* Find the triangle's rows in the strip, and the key at column 0 of the first one. Decline it if it
  * is cut by a side of the viewport. Sets job->row_last unless it declines. */
-ZS_ALWAYS_INLINE enum zs_small_fate zs_small_place(struct zs_job *job, struct zs_small *s,
-                                                   struct zs_sides *w)
+ZS_ALWAYS_INLINE enum zs_small_fate zs_small_place(struct zs_job *job, struct zs_small *s)
 {
     ZS_ANEW(s->a);
     const int32_t ax = s->a->x, ay = s->a->y, column = ax >> ZS_SUBPX_BITS;
@@ -144,9 +145,9 @@ ZS_ALWAYS_INLINE enum zs_small_fate zs_small_place(struct zs_job *job, struct zs
     /* |gx|, |up| <= 2^27; x is 2^14 .. 2^14.1, 0 <= off < 2^14: from is below 2^42.1 */
     s->x = (ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF;
     s->off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
-    const int64_t from = zs_mul_ss((int32_t)w->gx, s->x) - zs_mul_ss((int32_t)w->down[1], s->off) -
+    const int64_t from = zs_mul_ss(s->gx, s->x) - zs_mul_ss(s->gy, s->off) -
                          128; /* to column 0 and row, negative, a half added */
-    w->key = s->a->d + 0x8000u + (uint32_t)(-from >> 8);
+    s->key = s->a->d + 0x8000u + (uint32_t)(-from >> 8);
     return ZS_SMALL_ROWS;
 }
 
