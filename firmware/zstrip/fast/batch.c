@@ -186,15 +186,6 @@ ZS_ALWAYS_INLINE void place(struct sweep *s, uint32_t t, const struct corners *c
     out->paint = s->face ? s->face(&s->r->shading, t) : 0u;
 }
 
-/* The same for a triangle that is clockwise in the mesh. A call: most are culled. */
-static ZS_NOINLINE void place_turned(struct sweep *s, uint32_t t, const uint16_t *index)
-{
-    struct corners c = { .i = index[0], .j = index[1], .k = &index[2] };
-    uint32_t wide;
-    (void)zs_area_short(c.at, xy(s->pool + c.i), xy(s->pool + c.j), xy(s->pool + *c.k), &wide);
-    place(s, t, &c);
-}
-
 /* Bin triangles [t, end). Return `end`, or the triangle for which the pool is full. Vertices
  * outside near, far or the guard band need no test of their own: zs_screen places them so far from
  * all others that their triangles are never small. */
@@ -215,10 +206,11 @@ ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint3
         if (wide || area == 0 || s->out == s->full) {
             if (!slow_case(s, t))
                 break;
-        } else if (area < 0) {
-            place_turned(s, t, *tri);
         } else {
             struct corners c = { { at[0], at[1], at[2], at[3], at[4], at[5] }, i, j, &(*tri)[1] };
+            if (ZS_SELDOM(area < 0))
+                c = (struct corners){ { at[0], at[1], at[4], at[5], at[2], at[3] }, i, k,
+                                      &(*tri)[2] };
             ZS_ANEW(c.k);
             place(s, t, &c);
         }
