@@ -373,6 +373,13 @@ static inline void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
 #define ZS_ANEW(x) ((void)0)
 #endif
 
+/* Not 0 if v does not fit 16 bits. */
+#if defined(__ARM_ARCH_6M__)
+#define ZS_OVER_16(v) ((uint32_t)(v) ^ (uint32_t)(int16_t)(v)) /* without a constant to load */
+#else
+#define ZS_OVER_16(v) (((uint32_t)(v) + 0x8000u) & 0xffff0000u)
+#endif
+
 /* Set at[0] and at[1] to the vertex a = { x, y }, the others to b and c from it, modulo 2^32. Return
  * twice the area of the triangle, (b - a) x (c - a). *wide becomes not 0 if one of the differences
  * does not fit 16 bits; the result is then undefined. Otherwise |result| < 2^31: both products are at
@@ -388,9 +395,7 @@ static inline int32_t zs_area_short(int32_t at[6], const int32_t *a, const int32
     at[3] = by = (int32_t)((uint32_t)by - (uint32_t)at[1]);
     at[4] = cx = (int32_t)((uint32_t)cx - (uint32_t)at[0]);
     at[5] = cy = (int32_t)((uint32_t)cy - (uint32_t)at[1]);
-    *wide = (((uint32_t)bx + 0x8000u) | ((uint32_t)by + 0x8000u) | ((uint32_t)cx + 0x8000u) |
-             ((uint32_t)cy + 0x8000u)) >>
-            16;
+    *wide = ZS_OVER_16(bx) | ZS_OVER_16(by) | ZS_OVER_16(cx) | ZS_OVER_16(cy);
     ZS_FACT(*wide || (bx >= -32768 && bx <= 32767 && by >= -32768 && by <= 32767 && cx >= -32768 &&
                       cx <= 32767 && cy >= -32768 && cy <= 32767));
     return *wide ? 0 : bx * cy - cx * by;
