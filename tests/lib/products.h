@@ -108,7 +108,8 @@ static inline int wide_area_right(uint32_t a, uint32_t b)
         fits &= d[k] >= -32768 && d[k] <= 32767;
     }
     uint32_t wide;
-    const int32_t area = zs_area_short((const int32_t *)corner[0], (const int32_t *)corner[1],
+    int32_t at[6];
+    const int32_t area = zs_area_short(at, (const int32_t *)corner[0], (const int32_t *)corner[1],
                                        (const int32_t *)corner[2], &wide);
     return (wide == 0) == fits && (wide || area == d[0] * d[3] - d[2] * d[1]);
 }

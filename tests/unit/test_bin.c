@@ -54,9 +54,9 @@ static int first_case(uint64_t seed)
         for (int32_t s = r.strip; s < r.band_end && want == ZS_NIL; s++)
             if (y0 < (s + 1) * h && y1 > s * h)
                 want = (uint32_t)s;
-        if (zs_bin_first(&r, y0, y1) != want)
+        if (zs_bin_place(&r, y0, y1) != want)
             return case_wrong("rows [%d, %d) in strips [%u, %u) of %d: %u, not %u", y0, y1, r.strip, r.band_end, h,
-                              zs_bin_first(&r, y0, y1), want);
+                              zs_bin_place(&r, y0, y1), want);
     }
     return 1;
 }
@@ -224,12 +224,12 @@ static int fill(struct prng *p)
             const int32_t y = zs_first_sample(r->vert[slot[k]].y);
             y1 = y > y1 ? y : y1;
         }
-        const uint32_t strip = y1 > 0 && y0 < H && y0 < y1 ? zs_bin_first(r, y0, y1) : ZS_NIL;
+        const uint32_t strip = y1 > 0 && y0 < H && y0 < y1 ? zs_bin_place(r, y0, y1) : ZS_NIL;
         if (strip == ZS_NIL)
             continue; /* its vertices are nobody's */
         for (int k = 0; k < 3; k++)
             zs_bin_corner(r, slot[k], ATTRS);
-        zs_bin_push(r, slot, (uint16_t)n, strip);
+        zs_bin_add(r, slot, (uint16_t)n, strip);
     }
     return 1;
 }

@@ -373,48 +373,33 @@ static inline void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
 #define ZS_ANEW(x) ((void)0)
 #endif
 
-/* Return twice the area of a triangle with the vertices { x, y }: (b - a) x (c - a). *wide becomes
- * not 0 if a difference, modulo 2^32, does not fit 16 bits; the result is then undefined. Otherwise
- * |result| < 2^31: both products are at most 2^30, and if both are 2^30, they have the same sign.
- * Armv6-M: 30 cycles and six registers. */
-#if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__)
-
-static inline int32_t zs_area_short(const int32_t *a, const int32_t *b, const int32_t *c, uint32_t *wide)
-{
-    uint32_t out;
-    int32_t area, other;
-    __asm__(".syntax unified\n\t"
-            "ldr %3, [%0]\n\tldr %4, [%1]\n\tsubs %4, %3\n\tldr %5, [%2]\n\tsubs %5, %3\n\t"
-            "ldr %3, [%0, #4]\n\tldr %1, [%1, #4]\n\tsubs %1, %3\n\tldr %2, [%2, #4]\n\tsubs %2, %3\n\t"
-            "sxth %3, %4\n\teors %3, %4\n\tsxth %0, %5\n\teors %0, %5\n\torrs %3, %0\n\t"
-            "sxth %0, %1\n\teors %0, %1\n\torrs %3, %0\n\tsxth %0, %2\n\teors %0, %2\n\torrs %3, %0\n\t"
-            "muls %4, %2\n\tmuls %5, %1\n\tsubs %4, %5"
-            : "+l"(a), "+l"(b), "+l"(c), "=&l"(out), "=&l"(area), "=&l"(other)
-            :
-            : "cc", "memory");
-    *wide = out;
-    return area;
-}
-
+/* Not 0 if v does not fit 16 bits. */
+#if defined(__ARM_ARCH_6M__)
+#define ZS_OVER_16(v) ((uint32_t)(v) ^ (uint32_t)(int16_t)(v)) /* without a constant to load */
 #else
+#define ZS_OVER_16(v) (((uint32_t)(v) + 0x8000u) & 0xffff0000u)
+#endif
 
-static inline int32_t zs_area_short(const int32_t *a, const int32_t *b, const int32_t *c, uint32_t *wide)
+/* Set at[0] and at[1] to the vertex a = { x, y }, the others to b and c from it, modulo 2^32. Return
+ * twice the area of the triangle, (b - a) x (c - a). *wide becomes not 0 if one of the differences
+ * does not fit 16 bits; the result is then undefined. Otherwise |result| < 2^31: both products are at
+ * most 2^30, and if both are 2^30, they have the same sign. */
+static inline int32_t zs_area_short(int32_t at[6], const int32_t *a, const int32_t *b,
+                                    const int32_t *c, uint32_t *wide)
 {
-    int32_t x, y, bx, by, cx, cy;
-    zs_xy(a, &x, &y);
+    int32_t bx, by, cx, cy;
+    zs_xy(a, &at[0], &at[1]);
     zs_xy(b, &bx, &by);
     zs_xy(c, &cx, &cy);
-    bx = (int32_t)((uint32_t)bx - (uint32_t)x);
-    by = (int32_t)((uint32_t)by - (uint32_t)y);
-    cx = (int32_t)((uint32_t)cx - (uint32_t)x);
-    cy = (int32_t)((uint32_t)cy - (uint32_t)y);
-    *wide = (((uint32_t)bx + 0x8000u) | ((uint32_t)by + 0x8000u) | ((uint32_t)cx + 0x8000u) | ((uint32_t)cy + 0x8000u)) >> 16;
-    ZS_FACT(*wide || (bx >= -32768 && bx <= 32767 && by >= -32768 && by <= 32767 && cx >= -32768 && cx <= 32767 &&
-                      cy >= -32768 && cy <= 32767));
+    at[2] = bx = (int32_t)((uint32_t)bx - (uint32_t)at[0]);
+    at[3] = by = (int32_t)((uint32_t)by - (uint32_t)at[1]);
+    at[4] = cx = (int32_t)((uint32_t)cx - (uint32_t)at[0]);
+    at[5] = cy = (int32_t)((uint32_t)cy - (uint32_t)at[1]);
+    *wide = ZS_OVER_16(bx) | ZS_OVER_16(by) | ZS_OVER_16(cx) | ZS_OVER_16(cy);
+    ZS_FACT(*wide || (bx >= -32768 && bx <= 32767 && by >= -32768 && by <= 32767 && cx >= -32768 &&
+                      cx <= 32767 && cy >= -32768 && cy <= 32767));
     return *wide ? 0 : bx * cy - cx * by;
 }
-
-#endif
 
 /* High half of a 32 x 32 product, floor. */
 static inline uint32_t zs_umulh(uint32_t a, uint32_t b)

@@ -37,12 +37,24 @@ void zs_bin_empty(struct zs_renderer *r)
 
 uint32_t zs_bin_place(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
-    return zs_bin_first(r, y0, y1);
+    uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
+    if (s < r->strip)
+        s = zs_min32(y1, r->walk_y_end) > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
+    return s < r->band_end ? s : ZS_NIL;
 }
 
 void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, uint32_t strip)
 {
-    zs_bin_push(r, slot, paint, strip);
+    const uint32_t n = r->n_tris;
+    struct zs_tri *t = &r->tri[n];
+    t->v[0] = (uint16_t)slot[0];
+    t->v[1] = (uint16_t)slot[1];
+    t->v[2] = (uint16_t)slot[2];
+    t->next = r->bin[strip];
+    t->paint = paint;
+    t->instance = (uint16_t)r->xform.number;
+    r->bin[strip] = (uint16_t)n;
+    r->n_tris = n + 1u;
 }
 
 /* ---- Vertices -------------------------------------------------------------------------------- */

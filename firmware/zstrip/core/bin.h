@@ -50,32 +50,8 @@ static inline int32_t zs_bin_strip(const struct zs_renderer *r, int32_t row)
 }
 
 /* The first strip in [r->strip, r->band_end) that intersects rows [y0, y1), or ZS_NIL. */
-static inline uint32_t zs_bin_first(const struct zs_renderer *r, int32_t y0, int32_t y1)
-{
-    uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
-    if (s < r->strip)
-        s = zs_min32(y1, r->walk_y_end) > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
-    return s < r->band_end ? s : ZS_NIL;
-}
-
-/* Append a triangle to the pool and to a strip's bin. The pool must have room. */
-static inline void zs_bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint,
-                               uint32_t strip)
-{
-    const uint32_t n = r->n_tris;
-    struct zs_tri *t = &r->tri[n];
-    t->v[0] = (uint16_t)slot[0];
-    t->v[1] = (uint16_t)slot[1];
-    t->v[2] = (uint16_t)slot[2];
-    t->next = r->bin[strip];
-    t->paint = paint;
-    t->instance = (uint16_t)r->xform.number;
-    r->bin[strip] = (uint16_t)n;
-    r->n_tris = n + 1u;
-}
-
-/* zs_bin_first and zs_bin_push as calls that are not inlined, for code that few triangles reach. */
 uint32_t zs_bin_place(const struct zs_renderer *r, int32_t y0, int32_t y1);
+/* Append a triangle to the pool and to a strip's bin. The pool must have room. */
 void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, uint32_t strip);
 
 /* Compute the attributes of a vertex. zs_bin_corner does so when the first triangle that uses the

@@ -71,8 +71,10 @@ typedef int32_t q24_8; /* screen x, y, px */
 /* For functions with several callers: compilers would inline copies of them even at -Os. */
 #if defined(__GNUC__)
 #define ZS_SHARED __attribute__((noinline))
+#define ZS_SELDOM(x) __builtin_expect((x) != 0, 0) /* x is not 0, which seldom happens */
 #else
 #define ZS_SHARED
+#define ZS_SELDOM(x) (x)
 #endif
 
 /* Access to two 16-bit values at a time, in memory that is an array of uint16_t. */

@@ -91,54 +91,18 @@ void zs_plane_geom(struct zs_job *job)
     g->ay = ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - y;
 }
 
-#define TOO_STEEP ZS_TOO_STEEP
-
 /* One call for each gradient. On a core with few registers, gradient() is a function of its own,
- * with the quotient inlined; elsewhere gradient() is inlined and the quotient is the function,
- * which fast/small.h calls too. */
+ * with the quotient inlined; elsewhere gradient() is inlined and the quotient is the function. */
 #if ZS_DIVIDES
 #define ZS_GRADIENT ZS_ALWAYS_INLINE
 #else
 #define ZS_GRADIENT static ZS_NOINLINE
 #endif
 
-ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift,
-                                  int tiny)
-{
-    /* With m = |n| 2^k: 256 |n| / area = p / 2^(down + k), where p = m (2^63 / (area 2^lz)) / 2^32.
-     * If |n| fits 32 bits, k is 0: to normalise m would only shift zeros in and out again, with the
-     * same result, because successive floors compose. */
-    const int32_t sign = (int32_t)(n >> 32);
-    uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
-    if (sign < 0) {
-        m = 0u - m;
-        hi = ~hi + (m == 0);
-    }
-    ZS_FACT(hi <= 1u << 16);
-    int32_t down = 23 - lz;
-    if (hi) {
-        const int32_t up = zs_clz32(hi), less = 32 - up; /* up: 15 .. 31 */
-        m = hi << up | m >> less;
-        down -= less;
-        if (down < least_shift)
-            return TOO_STEEP;
-    } else if (!tiny && down < least_shift) { /* tiny: lz <= 18 */
-        if (!m)
-            return 0;
-        const int32_t up = zs_min32(zs_clz32(m), 16); /* by 16, it is not too steep any more */
-        m <<= up;
-        down += up;
-        if (down < least_shift)
-            return TOO_STEEP;
-    }
-    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1; /* down is 2 .. 22; m <= 2^30 */
-    return sign < 0 ? -(int32_t)m : (int32_t)m;
-}
-
 ZS_IN_ORDER ZS_NOINLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz,
                                                   int32_t least_shift)
 {
-    return quotient(n, rcp, lz, least_shift, 0);
+    return zs_quotient(n, rcp, lz, least_shift, 0);
 }
 
 /* Return 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: |numerator| <= 2^48 */
@@ -147,7 +111,7 @@ ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, 
 {
     const int64_t n = zs_cross_short(dv1, d[1], dv2, d[0]);
     return ZS_DIVIDES ? zs_plane_quotient(n, g->rcp, -g->exp, least)
-                      : quotient(n, g->rcp, -g->exp, least, ZS_CROSS_SHORT);
+                      : zs_quotient(n, g->rcp, -g->exp, least, ZS_CROSS_SHORT);
 }
 
 /* The same for a triangle that is not tiny, where gradient() takes tiny ones only. */
@@ -280,7 +244,7 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
             gx = small_gradient(g, dv1, dv2, g->dy, kind);
             up = small_gradient(g, dv1, dv2, g->dx, kind);
         }
-        if (gx != TOO_STEEP && up != TOO_STEEP) {
+        if (gx != ZS_TOO_STEEP && up != ZS_TOO_STEEP) {
             out->gx = (uint32_t)gx;
             out->gy = 0u - (uint32_t)up;
             small_base(g, out);

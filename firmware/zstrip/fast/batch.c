@@ -1,7 +1,7 @@
 /* Whole meshes at a time. If the pool has room for all vertices of a mesh, they are transformed in
- * one loop; else those of each batch are gathered. Triangles are assembled in batches: a loop with
- * 32-bit products rejects those that face away, then the others are binned. Parts of a mesh that do
- * not reach the band are left out: fast/parts.c.
+ * one loop; else those of some triangles at a time are gathered. Small triangles are assembled in
+ * one loop, too, with 32-bit products. Parts of a mesh that do not reach the band are left out:
+ * fast/parts.c.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -57,195 +57,205 @@ static void batch_open(struct zs_renderer *r)
         zs_batch_verts(r, base, 0, n);
 }
 
-/* ---- Facing ---------------------------------------------------------------------------------- */
+/* ---- Facing, box and bin --------------------------------------------------------------------- */
 
-/* Triangles are assembled in batches. The first loop rejects those that face away. */
-#define BATCH 40 /* at most 64 */
-struct batch {
-    const uint16_t (*tri)[3];     /* the batch's first triangle */
-    const struct zs_vertex *pool; /* what their numbers count from */
-    const struct zs_shader *shader;
-    uint32_t n_verts;    /* what their numbers are below */
-    uint32_t base;       /* the index of `pool` in the vertex pool */
-    int32_t away;        /* 1, -1 or 0: area * away > 0 means culled by its facing */
-    uint32_t *fate;      /* [ZS_FATES]: counts of rejected triangles */
-    uint32_t *piece;     /* of a clipped triangle, as in zs_assemble_tri */
-    uint8_t left[BATCH]; /* the triangles that remain: 4 * number in the batch, + 1 if the triangle
-                            is counter-clockwise, + 2 if it is a slow case */
-    uint16_t corner[BATCH][3]; /* gathered: their vertices' indices in the pool */
+/* What the loop over a mesh's triangles needs, in memory: registers are for the
+ * triangle in hand. */
+struct sweep {
+    struct zs_renderer *r;
+    const struct zs_vertex *pool; /* what triangles' numbers count from, ... */
+    uint32_t n_verts;             /* ... and are below */
+    int32_t keep;                 /* 1, -1 or 0: area * keep < 0 means culled by its facing */
+    int32_t x, x_end;             /* columns that are drawn: r->walk_x, r->walk_end */
+    uint32_t row, rows; /* of the frame: the first that is drawn in the band, and how many */
+    uint32_t strip_mul, strip_shift;
+    uint16_t *bin;
+    uint16_t base; /* number of `pool` in the vertex pool */
+    uint16_t instance;
+    uint32_t varyings; /* of a vertex; 0: they are not computed */
+    uint16_t (*face)(const struct zs_shading *s, uint32_t tri);
+    uint32_t n;                /* number of the next record */
+    struct zs_tri *out, *full; /* the next record; one beyond the pool's last */
+    uint32_t placed; /* n less the number of triangles that place() has binned, negative */
+    uint32_t *fate;  /* [ZS_FATES]: counts of outcomes */
+    uint32_t *piece; /* of a clipped triangle, as in zs_assemble_tri */
 };
 
-/* Count a rejected triangle, for a reason other than its facing. */
-static ZS_NOINLINE void dropped(struct batch *s, enum zs_fate fate)
-{
-    s->fate[fate]++;
-    s->fate[ZS_FATE_FACING]--; /* because reject() counts all rejected triangles there */
-}
+/* A triangle on the screen, as zs_area_short sets it, and its vertices' numbers in the mesh. */
+struct corners {
+    int32_t at[6];
+    uint32_t i, j;
+    const uint16_t *k; /* loaded when it is needed: it would be spilled */
+};
 
-/* Handle a triangle that is large, or has a vertex outside near, far or the guard band. Return 0 if
- * it is outside the view, and reject it; 1: zs_assemble_tri takes it. */
-static ZS_NOINLINE int slow_case(struct batch *s, const uint16_t index[3])
+/* Return 1 if a triangle that is large, or has a vertex outside near, far or the guard band, is
+ * outside the view, and count it. */
+static ZS_NOINLINE int outside(struct sweep *s, const uint16_t index[3])
 {
     const struct zs_vertex *const pool = s->pool;
-    if (index[0] >= s->n_verts || index[1] >= s->n_verts || index[2] >= s->n_verts)
-        return 1;
-    const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
-    if (all <= ZS_D_OUT)
-        return 1;
-    dropped(s, zs_fate_outside(all));
-    return 0;
-}
-
-/* Reject the triangles that are outside a plane of the view, and the small ones that face away, for
- * which 32-bit products suffice. Return how many remain. Vertices outside near, far or the guard
- * band need no test of their own: zs_screen places them so far from all others that their triangles
- * are never small. */
-ZS_IN_ORDER static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
-{
-    const struct zs_vertex *const pool = s->pool;
-    const uint16_t(*tri)[3] = s->tri;
     const uint32_t n_verts = s->n_verts;
-    const uint32_t end = 4u * n;
-    uint8_t *out = s->left;
-    for (uint32_t t = 0; t < end; t += 4u, tri++) {
-        const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
-        uint32_t wide = 1;
-        int32_t area = 0;
-        if (i < n_verts && j < n_verts && k < n_verts)
-            area = zs_area_short(xy(pool + i), xy(pool + j), xy(pool + k), &wide);
-        if (wide) {
-            if (slow_case(s, *tri))
-                *out++ = (uint8_t)(t + 2u);
-        } else if (area == 0) {
-            dropped(s, ZS_FATE_ZERO);
-        } else if (area * s->away <= 0) {
-            *out++ = (uint8_t)(t + ((uint32_t)area >> 31));
-        }
-    }
-    ZS_ANEW(s); /* so the compiler does not keep s->left in a register during the loop */
-    const uint32_t left = (uint32_t)(out - s->left);
-    s->fate[ZS_FATE_FACING] += end / 4u - left;
-    return left;
+    if (index[0] >= n_verts || index[1] >= n_verts || index[2] >= n_verts)
+        return 0;
+    const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
+    if (all > ZS_D_OUT)
+        s->fate[zs_fate_outside(all)]++;
+    return all > ZS_D_OUT;
 }
 
-/* ---- Boxes and bins -------------------------------------------------------------------------- */
-
-ZS_ALWAYS_INLINE void turn(struct zs_candidate *at)
+/* Take such a triangle that is not, or one that has no area, or comes when the pool is full. Return
+ * 0: there is no room for it. */
+static ZS_NOINLINE int slow_case(struct sweep *s, uint32_t t)
 {
-    const uint32_t first = at->slot[0];
-    at->slot[0] = at->slot[1];
-    at->slot[1] = at->slot[2];
-    at->slot[2] = first;
+    struct zs_renderer *r = s->r;
+    r->n_tris = s->n;
+    const enum zs_fate fate = zs_assemble_tri(r, t, s->piece);
+    s->placed -= r->n_tris - s->n;
+    s->n = r->n_tris;
+    s->out = &r->tri[s->n];
+    if (fate == ZS_FATE_FULL)
+        return 0;
+    s->fate[fate]++;
+    return 1;
 }
 
-/* The same as zs_assemble_box, with all values in registers. */
-ZS_ALWAYS_INLINE enum zs_fate box(struct zs_renderer *r, const struct zs_vertex *a,
-                                  const struct zs_vertex *b, const struct zs_vertex *c,
-                                  struct zs_candidate *at)
+/* Return the strip of a box that lies partly outside the rows that are drawn, or ZS_NIL. */
+static ZS_NOINLINE uint32_t aside(struct sweep *s, int32_t empty, int32_t y0, int32_t y1)
 {
-    const int32_t ax = a->x, ay = a->y, bx = b->x, by = b->y, cx = c->x, cy = c->y;
-    int32_t least = ax, most = bx, top = ay, bottom = by;
-    if (by < ay || (by == ay && bx < ax)) {
-        bottom = ay;
-        top = by;
-        turn(at);
-        if (cy < by || (cy == by && cx < bx)) {
-            top = cy;
-            turn(at);
-        } else if (cy > ay) {
-            bottom = cy;
-        }
-    } else if (cy < ay || (cy == ay && cx < ax)) {
-        top = cy;
-        turn(at);
-        turn(at);
-    } else if (cy > by) {
-        bottom = cy;
-    }
-    if (most < least) {
-        least = bx;
-        most = ax;
-    }
-    if (cx < least)
-        least = cx;
-    else if (cx > most)
-        most = cx;
-    const int32_t x0 = zs_first_sample(least), x1 = zs_first_sample(most);
-    const int32_t y0 = zs_first_sample(top), y1 = zs_first_sample(bottom);
-    at->y0 = y0;
-    at->y1 = y1;
-    if (x1 <= r->walk_x || x0 >= r->walk_end || y1 <= r->walk_y || y0 >= r->walk_y_end)
-        return ZS_FATE_OFFSCREEN;
-    if (x0 >= x1 || y0 >= y1)
-        return ZS_FATE_EMPTY;
-    return ZS_FATE_DRAWN;
-}
-
-/* Bin a candidate that passed the facing test. Inlined, so that *at stays in registers. */
-ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader *shader, uint32_t t,
-                                  struct zs_candidate *at)
-{
-    const enum zs_fate fate = box(r, &r->vert[at->slot[0]], &r->vert[at->slot[1]],
-                                  &r->vert[at->slot[2]], at);
-    if (fate != ZS_FATE_DRAWN)
-        return fate;
-    const uint32_t strip = zs_bin_first(r, at->y0, at->y1);
+    const struct zs_renderer *r = s->r;
+    uint32_t strip = ZS_NIL;
+    enum zs_fate fate = ZS_FATE_DRAWN;
+    if (y1 <= r->walk_y || y0 >= r->walk_y_end)
+        fate = ZS_FATE_OFFSCREEN;
+    else if (empty || y0 >= y1)
+        fate = ZS_FATE_EMPTY;
+    else
+        strip = zs_bin_place(r, y0, y1);
     if (strip == ZS_NIL) {
-        zs_bin_below(r, at->y0);
-        return fate;
+        s->fate[fate]++;
+        if (fate == ZS_FATE_DRAWN)
+            zs_bin_below(s->r, y0);
     }
-    if (r->n_tris == r->config.max_tris)
-        return ZS_FATE_FULL;
-    if (shader->vertex) {
-        const uint32_t varyings = r->config.varyings;
-        zs_bin_corner(r, at->slot[0], varyings);
-        zs_bin_corner(r, at->slot[1], varyings);
-        zs_bin_corner(r, at->slot[2], varyings);
-    }
-    zs_bin_push(r, at->slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
-    return ZS_FATE_DRAWN;
+    return strip;
 }
 
-/* Bin the n remaining triangles of the batch that begins at triangle `from`. Return how many are
- * done; fewer than n if a pool is full. */
-static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n,
-                        uint32_t fate[ZS_FATES])
+/* Bin triangle t, whose corners are clockwise, unless it holds no sample that is drawn: as
+ * zs_assemble_box and zs_bin_add, with all values in registers. */
+ZS_ALWAYS_INLINE void place(struct sweep *s, uint32_t t, const struct corners *c)
 {
-    for (const uint8_t *left = s->left, *const end = left + n; left < end; left++) {
-        const uint32_t what = *left, t = from + what / 4u;
-        enum zs_fate f;
-        if (what & 2u) {
-            f = zs_assemble_tri(r, t, s->piece);
+    const int32_t x = c->at[0], y = c->at[1], dx1 = c->at[2], dx2 = c->at[4];
+    int32_t dy1 = c->at[3], dy2 = c->at[5];
+    ZS_ANEW(dy1); /* so that the rows of the second and third vertex are not kept besides */
+    ZS_ANEW(dy2);
+    uint32_t v0 = c->i, v1 = c->j,
+             v2 = *c->k; /* the top one first; the left one of two on a level */
+    int32_t top = 0, bottom = zs_max32(dy1, dy2);
+    if (((dy1 + (dx1 >> 31)) | (dy2 + (dx2 >> 31))) < 0) {
+        if (dy1 - dy2 + ((dx1 - dx2) >> 31) < 0) {
+            v0 = c->j;
+            v1 = *c->k;
+            v2 = c->i;
+            top = dy1;
+            bottom = dy2 & ~(dy2 >> 31);
         } else {
-            const uint16_t *index = s->tri[what / 4u];
-            const uint32_t base = s->base, second = base + index[1], third = base + index[2];
-            struct zs_candidate at;
-            at.slot[0] = base + index[0];
-            at.slot[1] = what & 1u ? third : second;
-            at.slot[2] = what & 1u ? second : third;
-            f = bin(r, s->shader, t, &at);
+            v0 = *c->k;
+            v1 = c->i;
+            v2 = c->j;
+            top = dy2;
+            bottom = dy1 & ~(dy1 >> 31);
         }
-        if (f == ZS_FATE_FULL)
-            return (uint32_t)(left - s->left);
-        fate[f]++;
     }
+    const int32_t least = zs_min32(dx1, dx2), most = zs_max32(dx1, dx2);
+    const int32_t x0 = zs_first_sample(x + (least & least >> 31)),
+                  x1 = zs_first_sample(x + (most & ~(most >> 31))), y0 = zs_first_sample(y + top),
+                  y1 = zs_first_sample(y + bottom);
+    if (ZS_SELDOM(x1 <= s->x || x0 >= s->x_end)) {
+        s->fate[ZS_FATE_OFFSCREEN]++;
+        return;
+    }
+    uint32_t strip;
+    if (ZS_SELDOM((uint32_t)y0 - s->row >= s->rows || x0 >= x1 || y0 >= y1)) {
+        strip = aside(s, x0 >= x1, y0, y1);
+        if (strip == ZS_NIL)
+            return;
+    } else {
+        strip = (uint32_t)y0 * s->strip_mul >> s->strip_shift;
+    }
+    struct zs_tri *const out = s->out;
+    const uint32_t base = s->base;
+    out->v[0] = (uint16_t)(base + v0);
+    out->v[1] = (uint16_t)(base + v1);
+    out->v[2] = (uint16_t)(base + v2);
+    out->instance = s->instance;
+    out->next = s->bin[strip];
+    s->bin[strip] = (uint16_t)s->n++;
+    s->out = out + 1;
+    if (s->varyings) {
+        zs_bin_corner(s->r, base + v0, s->varyings);
+        zs_bin_corner(s->r, base + v1, s->varyings);
+        zs_bin_corner(s->r, base + v2, s->varyings);
+    }
+    out->paint = s->face ? s->face(&s->r->shading, t) : 0u;
+}
+
+/* Bin triangles [t, end), whose vertices' numbers are at tri. Return `end`, or the triangle for which the pool is full. Vertices
+ * outside near, far or the guard band need no test of their own: zs_screen places them so far from
+ * all others that their triangles are never small. */
+ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint32_t end,
+                                              const uint16_t (*tri)[3])
+{
+    for (; t < end; t++, tri++) {
+        /* counter-clockwise in the mesh, as most that are not culled */
+        const uint32_t i = (*tri)[0], j = (*tri)[2], k = (*tri)[1], n_verts = s->n_verts;
+        uint32_t wide = 1;
+        int32_t at[6], area = 0;
+        if (i < n_verts && j < n_verts && k < n_verts) {
+            const struct zs_vertex *const pool = s->pool;
+            area = zs_area_short(at, xy(pool + i), xy(pool + j), xy(pool + k), &wide);
+        }
+        if (wide ? outside(s, *tri) : area * s->keep < 0)
+            continue;
+        if (wide || area == 0 || s->out == s->full) {
+            if (!slow_case(s, t))
+                break;
+        } else {
+            struct corners c = { { at[0], at[1], at[2], at[3], at[4], at[5] }, i, j, &(*tri)[1] };
+            if (ZS_SELDOM(area < 0))
+                c = (struct corners){
+                    { at[0], at[1], at[4], at[5], at[2], at[3] }, i, k, &(*tri)[2]
+                };
+            ZS_ANEW(c.k);
+            place(s, t, &c);
+        }
+    }
+    s->r->n_tris = s->n;
+    s->fate[ZS_FATE_DRAWN] += s->placed + s->n;
+    return t;
+}
+
+/* The sum of all outcomes. */
+static uint32_t sum(const uint32_t fate[ZS_FATES])
+{
+    uint32_t n = 0;
+    for (uint32_t k = 0; k < ZS_FATES; k++)
+        n += fate[k];
     return n;
 }
 
-/* A pool got full at triangle t of a batch. Subtract the rejects from t on, because they will be
- * counted again. */
-static ZS_RARE ZS_NOINLINE void drop_less(struct batch *s, uint32_t from, uint32_t n, uint32_t t,
-                                          uint32_t fate[ZS_FATES])
+/* sweep(), which counts all outcomes but this one. */
+static uint32_t counted(struct sweep *s, uint32_t from, uint32_t end, const uint16_t (*tri)[3])
 {
-    uint32_t less[ZS_FATES] = { 0 };
-    s->fate = less;
-    s->tri += t - from;
-    (void)reject(s, from + n - t);
-    for (uint32_t k = 0; k < ZS_FATES; k++)
-        fate[k] -= less[k];
+    const uint32_t before = sum(s->fate);
+    s->placed = 0u - s->n;
+    const uint32_t reached = sweep(s, from, end, tri);
+    s->fate[ZS_FATE_FACING] += reached - from - (sum(s->fate) - before);
+    return reached;
 }
 
-/* ---- Gathering ------------------------------------------------------------------------------- */
+/* ---- Pools that do not hold the scene -------------------------------------------------------- */
+
+/* Batches of triangles: their vertices are gathered where the pool does not hold the mesh's, and
+ * their rows are noted (fast/parts.c). */
+#define BATCH 40 /* at most 64 */
 
 /* Transform the vertices that were appended to the pool from `slot` on. Their numbers are known. */
 static void transform_new(struct zs_renderer *r, uint32_t slot)
@@ -263,15 +273,15 @@ static void transform_new(struct zs_renderer *r, uint32_t slot)
 
 /* Find the vertices of the mesh's triangles [from, from + n) in the pool, or transform them into
  * it. Return how many triangles have theirs; fewer than n if the pool is full. */
-static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, struct batch *s, uint32_t from,
-                                   uint32_t n)
+static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, uint32_t from, uint32_t n,
+                                   uint16_t (*corner)[3])
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint32_t cap = r->config.max_verts, base = r->vert_base, mask = zs_bin_mask(cap);
     const uint32_t first = r->n_verts;
     uint16_t *const src = r->vert_src, *const map = r->vert_map;
     const uint16_t *index = mesh->tri[from], *const end = index + 3u * n;
-    uint16_t *to = s->corner[0];
+    uint16_t *to = corner[0];
     uint32_t top = first;
     for (; index != end; index++, to++) {
         const uint32_t v = *index;
@@ -291,25 +301,68 @@ static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, struct batch *s, uint3
     }
     r->n_verts = top;
     transform_new(r, first);
-    s->tri = (const uint16_t(*)[3])s->corner;
-    s->n_verts = top;
-    return (uint32_t)(to - s->corner[0]) / 3u;
+    return (uint32_t)(to - corner[0]) / 3u;
+}
+
+/* The triangles of a batch that sweep() does not cull by their facing or as outside: 4 * number in the
+ * batch, + 2 if it is a slow case. Return how many they are. */
+static ZS_NOINLINE uint32_t list(const struct sweep *s, const uint16_t (*tri)[3], uint32_t n,
+                                 uint8_t *left)
+{
+    const struct zs_vertex *const pool = s->pool;
+    uint8_t *out = left;
+    for (uint32_t t = 0; t < n; t++) {
+        const uint32_t i = tri[t][0], j = tri[t][2], k = tri[t][1];
+        uint32_t wide = 1, all = 0;
+        int32_t at[6], area = 0;
+        if (i < s->n_verts && j < s->n_verts && k < s->n_verts) {
+            area = zs_area_short(at, xy(pool + i), xy(pool + j), xy(pool + k), &wide);
+            all = pool[i].d & pool[j].d & pool[k].d;
+        }
+        if (wide ? all <= ZS_D_OUT : area != 0 && area * s->keep >= 0)
+            *out++ = (uint8_t)(4u * t + (wide ? 2u : 0u));
+    }
+    return (uint32_t)(out - left);
+}
+
+/* Bin triangles [from, end) in batches, as batch_bin. */
+static ZS_NOINLINE uint32_t by_batches(struct sweep *s, uint32_t from, uint32_t end)
+{
+    struct zs_renderer *r = s->r;
+    uint8_t left[BATCH];
+    uint16_t corner[BATCH][3];
+    for (uint32_t n, reached; from < end; from = reached) {
+        const uint16_t(*tri)[3];
+        n = zs_minu32(end - from, BATCH);
+        if (r->parts_tris && (n = zs_parts_next(r, &from, end, n)) == 0)
+            break;
+        tri = r->xform.instance->mesh->tri + from;
+        if (!r->direct) {
+            if ((n = gather(r, from, n, corner)) == 0)
+                return from;
+            tri = (const uint16_t(*)[3])corner;
+            s->n_verts = r->n_verts;
+        }
+        if (r->parts_tris)
+            zs_parts_note(r, from, s->pool, tri, left, list(s, tri, n, left));
+        reached = counted(s, from, from + n, tri);
+        if (reached < from + n) {
+            r->slow_first = !r->direct;
+            return reached;
+        }
+    }
+    return end;
 }
 
 static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
                                       uint32_t fate[ZS_FATES], uint32_t *piece)
 {
     const struct zs_instance *in = r->xform.instance;
-    const struct zs_mesh *mesh = in->mesh;
+    const struct zs_shader *shader = in->material->shader;
     const uint32_t cull = in->material->cull;
-    struct batch s;
-    s.n_verts = mesh->n_verts;
-    s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
-    s.fate = fate;
-    s.piece = piece;
-    s.shader = in->material->shader;
-    s.base = r->direct ? r->vert_base : 0u;
-    s.pool = &r->vert[s.base];
+    const int32_t height = r->config.strip_h, row = zs_max32(r->walk_y, r->strip * height),
+                  end_row = zs_min32(r->walk_y_end, r->band_end * height);
+    struct sweep s;
     if (r->slow_first) {
         const enum zs_fate f = zs_assemble_tri(r, from, piece);
         if (f == ZS_FATE_FULL)
@@ -318,25 +371,29 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
         fate[f]++;
         from++;
     }
-    for (uint32_t n; from < end; from += n) {
-        n = zs_minu32(end - from, BATCH);
-        if (r->parts_tris && (n = zs_parts_next(r, &from, end, n)) == 0)
-            break;
-        s.tri = mesh->tri + from;
-        if (!r->direct && (n = gather(r, &s, from, n)) == 0)
-            return from;
-        const uint32_t left = reject(&s, n);
-        if (r->parts_tris)
-            zs_parts_note(r, from, s.pool, s.tri, s.left, left);
-        const uint32_t done = bin_all(r, &s, from, left, fate);
-        if (done < left) {
-            const uint32_t t = from + s.left[done] / 4u;
-            r->slow_first = !r->direct && s.left[done] & 2u;
-            drop_less(&s, from, n, t, fate);
-            return t;
-        }
-    }
-    return end;
+    s.r = r;
+    s.base = r->direct ? (uint16_t)r->vert_base : 0u;
+    s.pool = &r->vert[s.base];
+    s.n_verts = in->mesh->n_verts;
+    s.keep = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
+    s.x = r->walk_x;
+    s.x_end = r->walk_end;
+    s.row = (uint32_t)row;
+    s.rows = (uint32_t)zs_max32(end_row - row, 0);
+    s.strip_mul = r->strip_mul;
+    s.strip_shift = r->strip_shift;
+    s.bin = r->bin;
+    s.varyings = shader->vertex ? r->config.varyings : 0u;
+    s.face = shader->face;
+    s.instance = (uint16_t)r->xform.number;
+    s.n = r->n_tris;
+    s.out = r->tri + s.n;
+    s.full = r->tri + r->config.max_tris;
+    s.fate = fate;
+    s.piece = piece;
+    if (r->direct && !r->parts_tris)
+        return counted(&s, from, end, in->mesh->tri + from);
+    return by_batches(&s, from, end);
 }
 
 static const struct zs_fast_batch batch = { .needs = zs_screen_needs,

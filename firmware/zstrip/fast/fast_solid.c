@@ -164,11 +164,14 @@ static int small_draw(struct zs_job *job)
 {
     struct zs_small s;
     struct zs_sides w;
-    const enum zs_small_fate fate = zs_small_look(job, &s);
+    if (!zs_small_look(job, &s) || !zs_small_keys(&s))
+        return 0;
+    const enum zs_small_fate fate = zs_small_place(job, &s);
     if (fate != ZS_SMALL_ROWS)
         return (int)fate;
-    if (!zs_small_keys(&s, &w))
-        return 0;
+    w.key = s.key;
+    w.gx = (uint32_t)s.gx;
+    w.down[1] = (uint32_t)s.gy;
     zs_small_sides(job, &s, &w);
     small_rows(job, &w);
     return 1;

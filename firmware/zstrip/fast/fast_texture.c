@@ -151,19 +151,16 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     struct zs_texel_rows w;
     if (!job->texel)
         return 0;
-    const enum zs_small_fate fate = zs_small_look(job, &s);
-    if (fate != ZS_SMALL_ROWS)
-        return (int)fate;
-
+    if (!zs_small_look(job, &s))
+        return 0;
     const struct zs_renderer *r = job->r;
     const struct zs_view *view = &r->view;
-    const uint32_t nearest = zs_maxu32(zs_maxu32(s.key_a, s.key_b), s.key_c),
-                   farthest = zs_minu32(zs_minu32(s.key_a, s.key_b), s.key_c);
-    const uint32_t change = nearest - farthest; /* of d = piece_base - key */
-    if (view->piece_base - farthest > view->key_known || change > view->key_slow)
+    const int32_t beyond = zs_max32(zs_max32(s.dd1, s.dd2), 0);
+    const uint32_t change = (uint32_t)(beyond - zs_min32(zs_min32(s.dd1, s.dd2), 0));
+    if (s.a->d + (uint32_t)beyond > view->key_known || change > view->key_slow)
         return 0;
     const struct zs_instance *in = zs_instance_of(r, job->tri->instance);
-    const struct zs_texture *t = in->material->texture;
+    const struct zs_texture *t = job->texture;
     const uint32_t log2_w = t->log2_w, log2_h = t->log2_h, uv_bits = in->mesh->uv_bits,
                    varyings = r->config.varyings;
     if (t->clamp || !log2_w || !log2_h)
@@ -175,15 +172,18 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     coordinate(&cu, a[0], b[0], c[0]);
     coordinate(&cv, a[1], b[1], c[1]);
     if ((cu.range | cv.range) >> 14 || !is_affine(t, &cu, &cv, uv_bits, change, view->key_slow) ||
-        !zs_small_keys(&s, &w.sides))
+        !zs_small_keys(&s))
         return 0;
+    const enum zs_small_fate fate = zs_small_place(job, &s);
+    if (fate != ZS_SMALL_ROWS)
+        return (int)fate;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
     if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) |
                       plane(&s, &cv, shift, uv_bits, log2_h, &w, 2)))
         return 0;
-    w.at[0] = w.sides.key;
-    w.down[0] = w.sides.down[1];
-    w.right[0] = w.sides.gx;
+    w.at[0] = s.key;
+    w.down[0] = (uint32_t)s.gy;
+    w.right[0] = (uint32_t)s.gx;
     w.width = 1u << log2_w;
     w.column = 32u - log2_w;
     w.row = 32u - log2_h;

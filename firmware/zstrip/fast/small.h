@@ -21,14 +21,16 @@
 
 /* A small triangle in its strip, for set-up. Positions and differences are q24_8. */
 struct zs_small {
-    uint32_t d, key_a, key_b,
-        key_c; /* d: the top vertex's key. The others: view.piece_base - key of the three vertices;
-                  all three are in one linear piece of the mapping */
-    int32_t ax, ay, dx1, dx2, dy1, dy2, area; /* top vertex; differences of the others from it */
+    const struct zs_vertex *a; /* the top vertex. Its fields are loaded again where they are needed:
+                                  registers are short in between */
+    int32_t dx1, dx2, dy1, dy2, dd1, dd2; /* differences of the others from it; dd: of keys */
+    int32_t area;
     int32_t column, row,
         n;         /* column of the top vertex's pixel; first row in the strip; number of rows */
     uint32_t rcp;  /* reciprocal of area << shift */
     int32_t shift; /* leading zeros of the area, 2 .. 18 */
+    int32_t gx, gy;
+    uint32_t key;  /* gradients of keys; the key at column 0 of the first row, a half added */
     int32_t x,
         off; /* distance of the top vertex right of the sample in column 0; distance of the first
                 row's samples below the top vertex */
@@ -69,97 +71,84 @@ enum zs_small_fate {
 
 #define ZS_SMALL_SAFE 0x20000u /* a bound for piece_base - d, which is 0xffff for the key B - 1 */
 
-/* Fetch vertices, keys and rows of job->tri, and decline it or not. Sets job->row_last unless it
- * declines. */
-ZS_ALWAYS_INLINE enum zs_small_fate zs_small_look(struct zs_job *job, struct zs_small *s)
+/* Fetch the vertices of job->tri. Return 0 if the triangle is not small, or its keys are not in one
+ * linear piece of the mapping, or may reach B - 1 when rounded. piece_base is 2^n - 1, so that keys
+ * differ in the bits in which their distances from it do. */
+ZS_ALWAYS_INLINE int zs_small_look(const struct zs_job *job, struct zs_small *s)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_vertex *pool = r->vert;
     const uint16_t *v = job->tri->v;
     const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
-    const int32_t ax = a->x, ay = a->y, dx1 = b->x - ax, dx2 = c->x - ax, dy1 = b->y - ay,
-                  dy2 = c->y - ay;
-    if (!zs_tiny(dx1, dx2, dy1, dy2)) /* |.| < 2^22, 0 <= dy */
-        return ZS_SMALL_NOT;
-    const int32_t area = dx1 * dy2 - dx2 * dy1; /* <= 2^29 */
-    if (area < ZS_TINY_AREA)
-        return ZS_SMALL_NOT;
-    const uint32_t d = a->d, at = r->view.piece_base, key_a = at - d, key_b = at - b->d,
-                   key_c = at - c->d;
-    const uint32_t shift_piece = r->view.piece_shift;
-    if (((key_a ^ key_b) | (key_a ^ key_c)) >> shift_piece)
-        return ZS_SMALL_NOT;
-    /* keys below this bound may reach B - 1 when rounded. They are in the last piece, because a
-     * piece is 2^19 or more */
-    if (!(key_a >> shift_piece) &&
-        (key_a < ZS_SMALL_SAFE || key_b < ZS_SMALL_SAFE || key_c < ZS_SMALL_SAFE))
-        return ZS_SMALL_NOT;
-    const int32_t column = ax >> ZS_SUBPX_BITS;
-    if ((column < ZS_TINY_SIDE || column > job->width - ZS_TINY_SIDE) &&
-        (zs_first_sample(ax + zs_min32(zs_min32(dx1, dx2), 0)) < 0 ||
-         zs_first_sample(ax + zs_max32(zs_max32(dx1, dx2), 0)) > job->width))
-        return ZS_SMALL_NOT;
-    const int32_t last = zs_first_sample(ay + zs_max32(dy1, dy2)),
+    const int32_t ax = a->x, ay = a->y;
+    s->a = a;
+    s->dx1 = b->x - ax;
+    s->dx2 = c->x - ax;
+    s->dy1 = b->y - ay;
+    s->dy2 = c->y - ay;
+    if (!zs_tiny(s->dx1, s->dx2, s->dy1, s->dy2)) /* |.| < 2^22, 0 <= dy */
+        return 0;
+    s->area = s->dx1 * s->dy2 - s->dx2 * s->dy1; /* <= 2^29 */
+    if (s->area < ZS_TINY_AREA)
+        return 0;
+    const uint32_t d = a->d, db = b->d, dc = c->d, shift = r->view.piece_shift,
+                   key = r->view.piece_base - d;
+    if (((d ^ db) | (d ^ dc)) >> shift)
+        return 0;
+    /* keys near B - 1 are in the last piece, because a piece is 2^19 or more */
+    if (!(key >> shift) && r->view.piece_base - zs_maxu32(zs_maxu32(d, db), dc) < ZS_SMALL_SAFE)
+        return 0;
+    s->dd1 = (int32_t)(db - d); /* in one piece, so |.| < 2^31 */
+    s->dd2 = (int32_t)(dc - d);
+    ZS_ANEW(s->dy1); /* so that the rows of the other vertices are not kept to compare them */
+    ZS_ANEW(s->dy2);
+    return 1;
+}
+
+/* Compute the gradients of the keys. Return 0 if they are too steep for this path. */
+ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s)
+{
+    const int shift = s->shift = zs_clz32((uint32_t)s->area); /* 2 .. 18 */
+    const uint32_t rcp = s->rcp = zs_recip_inline((uint32_t)s->area << shift);
+    const int32_t gx = zs_quotient(zs_mul_ss(s->dd1, s->dy2) - zs_mul_ss(s->dd2, s->dy1), rcp,
+                                   shift, ZS_PLANE_KEY, 1);
+    const int32_t up = zs_quotient(zs_mul_ss(s->dd1, s->dx2) - zs_mul_ss(s->dd2, s->dx1), rcp,
+                                   shift, ZS_PLANE_KEY, 1);
+    if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
+        return 0;
+    s->gx = gx;
+    s->gy = -up;
+    return 1;
+}
+
+/* Find the triangle's rows in the strip, and the key at column 0 of the first one. Decline it if it
+ * is cut by a side of the viewport. Sets job->row_last unless it declines. */
+ZS_ALWAYS_INLINE enum zs_small_fate zs_small_place(struct zs_job *job, struct zs_small *s)
+{
+    ZS_ANEW(s->a);
+    const int32_t ax = s->a->x, ay = s->a->y, column = ax >> ZS_SUBPX_BITS;
+    if (column < ZS_TINY_SIDE || column > job->width - ZS_TINY_SIDE) {
+        const int32_t least = zs_min32(s->dx1, s->dx2), most = zs_max32(s->dx1, s->dx2);
+        if (zs_first_sample(ax + (least & least >> 31)) < 0 ||
+            zs_first_sample(ax + (most & ~(most >> 31))) > job->width)
+            return ZS_SMALL_NOT;
+    }
+    const int32_t last = zs_first_sample(ay + zs_max32(s->dy1, s->dy2)),
                   row = zs_max32(zs_first_sample(ay), job->y0);
     const int32_t n = zs_min32(last, job->y1) - row;
     job->row_last = last;
     if (n <= 0)
         return ZS_SMALL_DONE;
-    s->d = d;
-    s->key_a = key_a;
-    s->key_b = key_b;
-    s->key_c = key_c;
-    s->ax = ax;
-    s->ay = ay;
-    s->dx1 = dx1;
-    s->dx2 = dx2;
-    s->dy1 = dy1;
-    s->dy2 = dy2;
-    s->area = area;
     s->column = column;
     s->row = row;
     s->n = n;
-    return ZS_SMALL_ROWS;
-}
-
-/* zs_plane_quotient for a key; most take 32 bits only. |n| <= 2^46; shift: leading zeros of the
- * area, by which it was shifted for rcp */
-static inline int32_t zs_small_gradient(int64_t n, uint32_t rcp, int32_t shift)
-{
-    const int32_t low = (int32_t)n;
-    if (n != low)
-        return zs_plane_quotient(n, rcp, shift, ZS_PLANE_KEY);
-    const int32_t sign = low >> 31; /* |low| = (low ^ sign) - sign <= 2^31, q <= 2^26 */
-    const uint32_t q =
-        ((zs_umulh(((uint32_t)low ^ (uint32_t)sign) - (uint32_t)sign, rcp) >> (22 - shift)) + 1u) >>
-        1;
-    return (int32_t)(q ^ (uint32_t)sign) - sign;
-}
-
-/* Compute the gradients of the keys. Return 0 if they are too steep for this path. */
-ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s, struct zs_sides *w)
-{
-    const int shift = s->shift = zs_clz32((uint32_t)s->area); /* 2 .. 18 */
-    const uint32_t rcp = s->rcp = zs_recip_inline((uint32_t)s->area << shift);
-    const int32_t dv1 = (int32_t)(s->key_a - s->key_b),
-                  dv2 = (int32_t)(s->key_a - s->key_c); /* in one piece, so |.| < 2^31 */
-    const int32_t gx = zs_small_gradient(zs_mul_ss(dv1, s->dy2) - zs_mul_ss(dv2, s->dy1), rcp,
-                                         shift);
-    const int32_t up = zs_small_gradient(zs_mul_ss(dv1, s->dx2) - zs_mul_ss(dv2, s->dx1), rcp,
-                                         shift);
-    if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
-        return 0;
     /* |gx|, |up| <= 2^27; x is 2^14 .. 2^14.1, 0 <= off < 2^14: from is below 2^42.1 */
-    const int32_t x = (s->ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF;
-    const int32_t off = s->row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - s->ay;
-    const int64_t from = zs_mul_ss(gx, x) + zs_mul_ss(up, off) -
+    s->x = (ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF;
+    s->off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
+    const int64_t from = zs_mul_ss(s->gx, s->x) - zs_mul_ss(s->gy, s->off) -
                          128; /* to column 0 and row, negative, a half added */
-    w->key = s->d + 0x8000u + (uint32_t)(-from >> 8);
-    w->gx = (uint32_t)gx;
-    w->down[1] = 0u - (uint32_t)up;
-    s->x = x;
-    s->off = off;
-    return 1;
+    s->key = s->a->d + 0x8000u + (uint32_t)(-from >> 8);
+    return ZS_SMALL_ROWS;
 }
 
 /* Set up rows and sides. From here on the triangle is drawn, and it is counted. */
@@ -182,7 +171,7 @@ ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *
     w->turn = dy1 < dy2;
     const int32_t mid_dx = w->turn ? dx1 : dx2, mid_dy = w->turn ? dy1 : dy2,
                   dx = w->turn ? dx2 : dx1, dy = w->turn ? dy2 : dy1;
-    w->mid = zs_max32(zs_min32(zs_first_sample(s->ay + mid_dy), w->end), row);
+    w->mid = zs_max32(zs_min32(zs_first_sample(s->a->y + mid_dy), w->end), row);
     if (w->mid < w->end) { /* x + mid_dx is 2^7 .. 2^15.1, its offset 0 .. to_dy: both products
                               below 2^29.1 */
         const int32_t to_dx = dx - mid_dx, to_dy = dy - mid_dy; /* |.| < 2^15; 0 < to_dy < 2^14 */

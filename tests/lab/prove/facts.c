@@ -158,7 +158,8 @@ static void wide_drawn(uint64_t count)
         const int32_t p[6] = { drawn(-70000, 70000), drawn(-70000, 70000), drawn(-70000, 70000), drawn(-70000, 70000),
                                drawn(-70000, 70000), drawn(-70000, 70000) };
         uint32_t too_wide;
-        const int32_t area = zs_area_short(p, p + 2, p + 4, &too_wide);
+        int32_t at[6];
+        const int32_t area = zs_area_short(at, p, p + 2, p + 4, &too_wide);
         if (!too_wide)
             good &= area == (int64_t)(p[2] - p[0]) * (p[5] - p[1]) - (int64_t)(p[4] - p[0]) * (p[3] - p[1]);
     }

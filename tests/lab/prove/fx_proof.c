@@ -97,7 +97,8 @@ void area_short(void)
     const int32_t b[2] = { any_i32(INT32_MIN, INT32_MAX), any_i32(INT32_MIN, INT32_MAX) };
     const int32_t c[2] = { any_i32(INT32_MIN, INT32_MAX), any_i32(INT32_MIN, INT32_MAX) };
     uint32_t wide;
-    (void)zs_area_short(a, b, c, &wide);
+    int32_t at[6];
+    (void)zs_area_short(at, a, b, c, &wide);
 }
 
 /* PROVE row: low words |.| <= 2^14, their constant |.| <= 2^28 + 2^15, every point of 16 bits, shifts 0 .. 15 and 0 .. 14 */
