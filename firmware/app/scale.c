@@ -7,14 +7,14 @@
  *   passes     20,000 triangles of the sheet with pools for all of them down to a hundredth; x is the passes it took
  *   depth      1 to 64 layers that fill 320x240, front to back, back to front and mixed, as they are drawn and
  *              ("tested") without what spares the first of them clear and depth test, so that all are drawn alike; 1 to
- *              64 balls of 480 triangles behind each other, each as large on the screen as the first, the same orders, within one
- *              octave of the depth mapping: none costs more than another for where it lies
+ *              64 balls of 480 triangles behind each other, each as large on the screen as the first, the same orders,
+ *              within one octave of the depth mapping: none costs more than another for where it lies
  *
- *   ram        bench scenes with pools that are filled up to what fits into so many KB together with everything else, from
- *              8 to 128 KB; x is KB. Triangles and vertices get shares as large as all of them need
+ *   ram        bench scenes with pools that are filled up to what fits into so many KB together with everything else,
+ *              from 8 to 128 KB; x is KB. Triangles and vertices get shares as large as all of them need
  *
- * 8 sub-pixel bits, the default depth, one strip buffer, strips of 24 rows but for `strips` and `ram`, pools as large as can be.
- * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave: the same on every machine.
+ * 8 sub-pixel bits, the default depth, one strip buffer, strips of 24 rows but for `strips` and `ram`, pools as large
+ * as can be. The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave: the same on every machine.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -57,9 +57,11 @@ int budget_effects(const struct budget_request *rq, const struct budget *b)
     if (rq->csv)
         puts("kind,name,M0,M3,RP2040");
     else
-        printf("Instructions a pixel, depth-tested, without accelerators, and a vertex with its share of two triangles,\n"
-               "more than zs_shade_raw's; cycles on the RP2040; a screen of %ux%u of it\n"
-               "  %-34s %9s %9s %9s %12s\n", c->width, c->height, "", "M0", "M3", "RP2040", "RP2040, M");
+        printf(
+            "Instructions a pixel, depth-tested, without accelerators, and a vertex with its share of two triangles,\n"
+            "more than zs_shade_raw's; cycles on the RP2040; a screen of %ux%u of it\n"
+            "  %-34s %9s %9s %9s %12s\n",
+            c->width, c->height, "", "M0", "M3", "RP2040", "RP2040, M");
     for (size_t i = 0; i < sizeof record_effects / sizeof record_effects[0]; i++) {
         const char *const name = record_effects[i].name;
         const double m0 = one("M0", name), rp2040 = one("RP2040", name), m3 = one("M3", name);

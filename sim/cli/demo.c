@@ -100,10 +100,10 @@ static const struct sim_option table[] = {
     SIM_PANEL_OPTIONS(struct request, panel,
                       "frames go through this panel's driver and the model of its controller: pictures are what its "
                       "viewer sees, of its size. There are:"),
-    { "--moving", SIM_OPTION_FILE, AT(moving), .value = "F.png|F.gif",
-      .help = "contact sheets of the first frames, the second ones and so on as an animated PNG or GIF, too; a scene "
-              "with fewer frames begins again" },
-    { "--delay", SIM_OPTION_COUNT, AT(delay), 0, 10, 65535, .value = "MS", .help = "of a frame in it (80)" },
+    { "--moving", SIM_OPTION_FILE, AT(moving), .value = "F.png",
+      .help = "contact sheets of the first frames, the second ones and so on as an animated PNG, too, or a GIF where the "
+              "name ends so; a scene with fewer frames begins again" },
+    { "--delay", SIM_OPTION_COUNT, AT(delay), 0, 10, 65535, .value = "MS", .help = "of a frame in it, {range} (80)" },
     { "--raw", SIM_OPTION_FLAG, AT(raw),
       .help = "DIR/SCENE_NNN.bin too: RGB565, most significant byte first, row by row; of grey and one-bit panels a "
               "byte for each level or bit" },

@@ -123,7 +123,8 @@ void sim_options_help(void)
 {
     static const struct sim_help help = {
         "zsim render MODEL --out FRAME.png [options]",
-        "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards do: what zsim convert "
+        "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards do: what zsim "
+        "convert "
         "writes. What the file has that is not carried over is named.",
         "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.",
     };
@@ -136,25 +137,20 @@ static int check_rest(const struct sim_options *o)
     if (o->strip < 1)
         return sim_refuse(file, 0, "--strip %ld: a strip has at least 1 row", o->strip);
     if (!(o->fov > 0.0 && o->fov < 180.0))
-        return sim_refuse(file, 0, "--fov %g: the field of view lies between 0 and 180 degrees",
-                          o->fov);
+        return sim_refuse(file, 0, "--fov %g: the field of view lies between 0 and 180 degrees", o->fov);
     if (o->has_near && o->projection == ZS_PERSPECTIVE && o->near_z <= 0.0)
-        return sim_refuse(file, 0, "--near %g: a perspective view needs a near plane beyond 0",
-                          o->near_z);
+        return sim_refuse(file, 0, "--near %g: a perspective view needs a near plane beyond 0", o->near_z);
     if (o->has_far && o->projection == ZS_PERSPECTIVE && o->far_z <= 0.0)
-        return sim_refuse(file, 0, "--far %g: a perspective view needs a far plane beyond 0",
-                          o->far_z);
+        return sim_refuse(file, 0, "--far %g: a perspective view needs a far plane beyond 0", o->far_z);
     if (o->has_near && o->has_far && o->near_z >= o->far_z)
         return sim_refuse(file, 0, "--near %g is not less than --far %g", o->near_z, o->far_z);
-    if (o->has_eye && o->has_at && o->eye[0] == o->at[0] && o->eye[1] == o->at[1] &&
-        o->eye[2] == o->at[2])
+    if (o->has_eye && o->has_at && o->eye[0] == o->at[0] && o->eye[1] == o->at[1] && o->eye[2] == o->at[2])
         return sim_refuse(file, 0, "--eye equals --at: there is no direction to look in");
     if (o->up[0] == 0.0 && o->up[1] == 0.0 && o->up[2] == 0.0)
         return sim_refuse(file, 0, "--up 0,0,0 has no direction; try 0,1,0");
     if (o->light[0] == 0.0 && o->light[1] == 0.0 && o->light[2] == 0.0 && o->has_light)
         return sim_refuse(file, 0, "--light 0,0,0 has no direction");
-    if (o->projection == ZS_ORTHOGRAPHIC && o->depth != SIM_DEPTH_LINEAR &&
-        o->depth != SIM_DEPTH_DEFAULT)
+    if (o->projection == ZS_ORTHOGRAPHIC && o->depth != SIM_DEPTH_LINEAR && o->depth != SIM_DEPTH_DEFAULT)
         return sim_refuse(file, 0, "--depth %s: an orthographic view takes linear depth only",
                           o->depth == SIM_DEPTH_RECIP   ? "recip"
                           : o->depth == SIM_DEPTH_E3M13 ? "e3m13"
@@ -268,7 +264,8 @@ static int check_effects(const struct sim_options *o)
     if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o))
         return sim_usage("--filter needs --shade textured, textured-flat or unlit");
     if ((lit != 0) + e->has_alpha + (e->filter != SIM_FILTER_NEAREST) + (e->environment != NULL) +
-            (e->shadow == SIM_SHADOW_MAP) + (e->dither != SIM_DITHER_NONE && o->panel.name == NULL) > 1)
+            (e->shadow == SIM_SHADOW_MAP) + (e->dither != SIM_DITHER_NONE && o->panel.name == NULL) >
+        1)
         return sim_usage("--alpha, --filter, --environment, --shadow map, --dither without a panel, and lights (typed "
                          "ones, --specular, --per-pixel) each have a shader of their own: take one of them");
     if (e->fog != SIM_FOG_NONE && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
@@ -293,8 +290,9 @@ static int check_style(const struct sim_options *o)
     if (o->style == SIM_STYLE_SOLID)
         return SIM_OK;
     if (o->reference || o->compare || o->id_out != NULL)
-        return sim_usage("--style: lines and points have no reference and no numbers: leave --reference, --compare and "
-                         "--id-out out");
+        return sim_usage(
+            "--style: lines and points have no reference and no numbers: leave --reference, --compare and "
+            "--id-out out");
     if (!sim_methods[o->method].keys)
         return sim_usage("--style: lines are drawn by --method zbuffer or hiz");
     if (o->show != SIM_SHOW_FRAME)

@@ -86,11 +86,10 @@ static void put(struct row *row, const char *format, ...)
     row->column += n;
 }
 
-static struct row begin(FILE *f, const char *type, const char *name, uint32_t part,
-                        const char *what, size_t n, const char *width)
+static struct row begin(FILE *f, const char *type, const char *name, uint32_t part, const char *what, size_t n,
+                        const char *width)
 {
-    (void)fprintf(f, "static const %s %s_%s_%" PRIu32 "[%zu]%s = {\n", type, name, what, part, n,
-                  width);
+    (void)fprintf(f, "static const %s %s_%s_%" PRIu32 "[%zu]%s = {\n", type, name, what, part, n, width);
     return (struct row){ f, 0 };
 }
 
@@ -99,8 +98,7 @@ static void end(FILE *f)
     (void)fputs("\n};\n", f);
 }
 
-static void triples(FILE *f, const char *name, uint32_t part, const char *what,
-                    const int16_t (*v)[3], size_t n)
+static void triples(FILE *f, const char *name, uint32_t part, const char *what, const int16_t (*v)[3], size_t n)
 {
     struct row row = begin(f, "int16_t", name, part, what, n, "[3]");
     for (size_t i = 0; i < n; i++)
@@ -108,8 +106,7 @@ static void triples(FILE *f, const char *name, uint32_t part, const char *what,
     end(f);
 }
 
-static void colors(FILE *f, const char *name, uint32_t part, const char *what,
-                   const struct zs_rgb *v, size_t n)
+static void colors(FILE *f, const char *name, uint32_t part, const char *what, const struct zs_rgb *v, size_t n)
 {
     struct row row = begin(f, "struct zs_rgb", name, part, what, n, "");
     for (size_t i = 0; i < n; i++)
@@ -118,8 +115,8 @@ static void colors(FILE *f, const char *name, uint32_t part, const char *what,
 }
 
 /* Numbers of 16 bits, or (v8) of 8. */
-static void values(FILE *f, const char *name, uint32_t part, const char *what, const uint16_t *v16,
-                   const uint8_t *v8, size_t n)
+static void values(FILE *f, const char *name, uint32_t part, const char *what, const uint16_t *v16, const uint8_t *v8,
+                   size_t n)
 {
     struct row row = begin(f, v16 != NULL ? "uint16_t" : "uint8_t", name, part, what, n, "");
     for (size_t i = 0; i < n; i++)
@@ -188,8 +185,7 @@ static void nodes(FILE *f, const char *name, uint32_t part, const struct sim_pie
     end(f);
 }
 
-static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct sim_piece *p,
-                         int fine)
+static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct sim_piece *p, int fine)
 {
     (void)fprintf(f, "\n/* Mesh %" PRIu32 " */\n", part);
     positions(f, name, part, p, fine);
@@ -278,7 +274,9 @@ static const char *attrs_name(const struct sim_pieces *p)
 static void accelerators(FILE *f, const struct sim_conversion *c)
 {
     static const char *const names[] = { "RAW", "FLAT", "SMOOTH", "TEXTURE", "TEXTURE_FLAT", "TEXTURE_SMOOTH" };
-    static const char *const formats[] = { [SIM_TEXELS_565] = "565", [SIM_TEXELS_PAL8] = "PAL8", [SIM_TEXELS_PAL4] = "PAL4" };
+    static const char *const formats[] = {
+        [SIM_TEXELS_565] = "565", [SIM_TEXELS_PAL8] = "PAL8", [SIM_TEXELS_PAL4] = "PAL4"
+    };
     const size_t n_names = sizeof names / sizeof names[0], n_formats = sizeof formats / sizeof formats[0];
     unsigned shaders = 0, texels = 0;
     for (uint32_t i = 0; i < c->made.pieces.n_paints; i++)
@@ -297,9 +295,10 @@ static void accelerators(FILE *f, const struct sim_conversion *c)
 
 static const char *format_name(enum sim_texels format)
 {
-    static const char *const names[] = { [SIM_TEXELS_565] = "565",     [SIM_TEXELS_PAL8] = "pal8",
-                                         [SIM_TEXELS_PAL4] = "pal4",   [SIM_TEXELS_4444] = "4444",
-                                         [SIM_TEXELS_PAL8A] = "pal8a", [SIM_TEXELS_PAL4A] = "pal4a" };
+    static const char *const names[] = {
+        [SIM_TEXELS_565] = "565",   [SIM_TEXELS_PAL8] = "pal8",   [SIM_TEXELS_PAL4] = "pal4",
+        [SIM_TEXELS_4444] = "4444", [SIM_TEXELS_PAL8A] = "pal8a", [SIM_TEXELS_PAL4A] = "pal4a"
+    };
     return names[format];
 }
 
@@ -310,8 +309,7 @@ static void pointer(FILE *f, int there, const char *name, const char *what, uint
         (void)fprintf(f, ", .%s = %s_%s_%" PRIu32, what, name, what, part);
 }
 
-static void mesh_object(FILE *f, const char *name, uint32_t part, const struct sim_piece *p,
-                        const struct sim_steps *s)
+static void mesh_object(FILE *f, const char *name, uint32_t part, const struct sim_piece *p, const struct sim_steps *s)
 {
     (void)fprintf(f, "    { .pos = %s_pos_%" PRIu32, name, part);
     pointer(f, s->fine, name, "pos_lo", part);
@@ -324,8 +322,7 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
     (void)fprintf(f,
                   ",\n      .n_verts = %" PRIu32 "u, .n_tris = %" PRIu32 "u, .scale = %" PRIu32
                   "u, .center = { %d, %d, %d }, .radius = %u",
-                  p->n_verts, p->n_tris, s->scale, p->center[0], p->center[1], p->center[2],
-                  p->radius);
+                  p->n_verts, p->n_tris, s->scale, p->center[0], p->center[1], p->center[2], p->radius);
     if (p->uv != NULL)
         (void)fprintf(f, ",\n      .uv = %s_uv_%" PRIu32 ", .uv_bits = %u", name, part, p->uv_bits);
     if (p->cluster != NULL)
@@ -369,15 +366,17 @@ static void lighting(FILE *f, const struct sim_conversion *c)
     const char *name = c->options.name;
     uint8_t power[128];
     const uint32_t n = sim_paint_powers(power, &c->made.pieces);
-    (void)fprintf(f,
-                  "\nstruct zs_lamp %s_lamp[1] = {\n    { .rgb = { 255, 255, 255 }, .strength = %uu, .dir = { 400000000, "
-                  "700000000, 709169576 } }\n};\nconst struct zs_lighting %s_lighting = { .lamp = %s_lamp, .n_lamps = 1, "
-                  ".ambient = { %d, %d, %d } };\n",
-                  name, SIM_LIT_STRENGTH, name, name, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT);
+    (void)fprintf(
+        f,
+        "\nstruct zs_lamp %s_lamp[1] = {\n    { .rgb = { 255, 255, 255 }, .strength = %uu, .dir = { 400000000, "
+        "700000000, 709169576 } }\n};\nconst struct zs_lighting %s_lighting = { .lamp = %s_lamp, .n_lamps = 1, "
+        ".ambient = { %d, %d, %d } };\n",
+        name, SIM_LIT_STRENGTH, name, name, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT);
     for (uint32_t i = 0; i < n; i++) {
         struct zs_shine shine;
         (void)zs_shine_set(&shine, power[i]);
-        (void)fprintf(f, "static const struct zs_shine %s_shine_%u = { .scale = %" PRIu32 "u, .least = %u, .level = {\n",
+        (void)fprintf(f,
+                      "static const struct zs_shine %s_shine_%u = { .scale = %" PRIu32 "u, .least = %u, .level = {\n",
                       name, power[i], shine.scale, shine.least);
         struct row row = { f, 0 };
         for (size_t k = 0; k < sizeof shine.level; k++)
@@ -394,8 +393,8 @@ static void materials(FILE *f, const struct sim_conversion *c, enum sim_form for
         return;
     if (form == SIM_FORM_LIT)
         lighting(f, c);
-    (void)fprintf(f, "\nconst struct %s %s_%s[%" PRIu32 "] = {\n", forms[form].type, c->options.name, forms[form].array,
-                  n);
+    (void)fprintf(f, "\nconst struct %s %s_%s[%" PRIu32 "] = {\n", forms[form].type, c->options.name,
+                  forms[form].array, n);
     for (uint32_t i = 0; i < p->n_paints; i++)
         if (sim_paint_form(&p->paint[i]) == form)
             material_object(f, c->options.name, &p->paint[i]);
@@ -404,14 +403,12 @@ static void materials(FILE *f, const struct sim_conversion *c, enum sim_form for
 
 static void texture_object(FILE *f, const char *name, uint32_t part, const struct sim_skin *s)
 {
-    static const char *const clamps[] = { "0", "ZS_CLAMP_U", "ZS_CLAMP_V",
-                                          "ZS_CLAMP_U | ZS_CLAMP_V" };
-    (void)fprintf(f, "    { .format = &zs_texel_%s, .texel = %s_texel_%" PRIu32, format_name(s->format), name,
-                  part);
+    static const char *const clamps[] = { "0", "ZS_CLAMP_U", "ZS_CLAMP_V", "ZS_CLAMP_U | ZS_CLAMP_V" };
+    (void)fprintf(f, "    { .format = &zs_texel_%s, .texel = %s_texel_%" PRIu32, format_name(s->format), name, part);
     if (s->n_colors > 0)
         (void)fprintf(f, ", .palette = %s_palette_%" PRIu32 ", .n_colors = %" PRIu32, name, part, s->n_colors);
-    (void)fprintf(f, ",\n      .log2_w = %u, .log2_h = %u, .clamp = %s", sim_texture_log2(s->w), sim_texture_log2(s->h),
-                  clamps[s->clamp & 3]);
+    (void)fprintf(f, ",\n      .log2_w = %u, .log2_h = %u, .clamp = %s", sim_texture_log2(s->w),
+                  sim_texture_log2(s->h), clamps[s->clamp & 3]);
     if (s->n_levels > 1)
         (void)fprintf(f, ", .n_levels = %" PRIu32, s->n_levels);
     if (s->alpha_least > 0)
@@ -502,8 +499,8 @@ static double misses(const struct sim_pieces *p, uint32_t size)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i < p->n_pieces; i++)
-        sum += p->piece[i].n_tris * sim_cache_misses((const uint16_t(*)[3])p->piece[i].tri,
-                                                     p->piece[i].n_tris, p->piece[i].n_verts, size);
+        sum += p->piece[i].n_tris *
+               sim_cache_misses((const uint16_t(*)[3])p->piece[i].tri, p->piece[i].n_tris, p->piece[i].n_verts, size);
     return sum / p->n_tris;
 }
 
@@ -514,37 +511,32 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
     for (uint32_t i = 0; i < p->n_pieces; i++)
         n_clusters += p->piece[i].n_clusters;
     (void)fprintf(f,
-                  "%s%" PRIu32 " triangles, %" PRIu32 " vertices, %" PRIu32 " clusters, %" PRIu32
-                  " mesh%s, %" PRIu32 " material%s\n",
-                  lead, p->n_tris, p->n_verts, n_clusters, p->n_pieces,
-                  p->n_pieces == 1 ? "" : "es", p->n_paints, p->n_paints == 1 ? "" : "s");
+                  "%s%" PRIu32 " triangles, %" PRIu32 " vertices, %" PRIu32 " clusters, %" PRIu32 " mesh%s, %" PRIu32
+                  " material%s\n",
+                  lead, p->n_tris, p->n_verts, n_clusters, p->n_pieces, p->n_pieces == 1 ? "" : "es", p->n_paints,
+                  p->n_paints == 1 ? "" : "s");
     if (c->model.lost_materials != NULL) {
         (void)fprintf(f, "%smaterial file ", lead);
         quote(f, last_name(c->model.lost_materials));
         (void)fputs(" cannot be read: its colours and textures are missing\n", f);
     }
     if (p->n_flat > 0)
-        (void)fprintf(f,
-                      "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32
-                      " had none in the file)\n",
+        (void)fprintf(f, "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32 " had none in the file)\n",
                       lead, p->n_flat, p->n_flat_before);
     sim_losses_print(f, lead, p->lost);
     sim_simplify_print(f, lead, &c->model);
     const struct sim_steps *s = &c->made.steps;
     char text[5][32];
-    (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n",
-                  lead, exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]),
-                  exactly(text[2], s->origin[2]), exactly(text[3], s->step),
-                  s->fine ? ", n = pos + pos_lo / 256" : "", exactly(text[4], s->unit));
+    (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n", lead,
+                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]), exactly(text[2], s->origin[2]),
+                  exactly(text[3], s->step), s->fine ? ", n = pos + pos_lo / 256" : "", exactly(text[4], s->unit));
     if (s->exact)
         (void)fprintf(f, "%spositions: exact\n", lead);
     else
-        (void)fprintf(
-            f, "%spositions: off by at most %.3g, rms %.3g units (%.2g and %.2g of the extent)\n",
-            lead, p->error_max, p->error_rms, p->error_max / extent(&c->model),
-            p->error_rms / extent(&c->model));
-    (void)fprintf(f, "%sorder: %.2f vertices to a triangle through a cache of 16, %.2f of 32\n",
-                  lead, misses(p, 16), misses(p, 32));
+        (void)fprintf(f, "%spositions: off by at most %.3g, rms %.3g units (%.2g and %.2g of the extent)\n", lead,
+                      p->error_max, p->error_rms, p->error_max / extent(&c->model), p->error_rms / extent(&c->model));
+    (void)fprintf(f, "%sorder: %.2f vertices to a triangle through a cache of 16, %.2f of 32\n", lead, misses(p, 16),
+                  misses(p, 32));
     if (p->normal_error >= 0.0)
         (void)fprintf(f, "%snormals: off by at most %.4f degrees\n", lead, p->normal_error);
 }
@@ -561,8 +553,8 @@ static void texture_figures(FILE *f, const struct sim_conversion *c, const char 
         if (s->n_levels > 1)
             (void)fprintf(f, ", %" PRIu32 " levels", s->n_levels);
         if (isfinite(s->loss.psnr_db))
-            (void)fprintf(f, ", PSNR %.1f dB, a channel off by at most %.0f of 255",
-                          s->loss.psnr_db, ceil(s->loss.worst));
+            (void)fprintf(f, ", PSNR %.1f dB, a channel off by at most %.0f of 255", s->loss.psnr_db,
+                          ceil(s->loss.worst));
         else
             (void)fputs(", nothing lost", f);
         if (c->made.pieces.uv_error != NULL && c->made.pieces.uv_error[i] >= 0.0)
@@ -585,8 +577,7 @@ void sim_convert_figures(FILE *f, const struct sim_conversion *c, const char *le
 
 static void first_line(FILE *f, const struct sim_conversion *c)
 {
-    (void)fprintf(f, "/* Made by: %s\n * Do not edit this file: convert again.\n",
-                  c->options.command);
+    (void)fprintf(f, "/* Made by: %s\n * Do not edit this file: convert again.\n", c->options.command);
 }
 
 /* In world units, from the mesh's 0,0,0. */
@@ -597,8 +588,7 @@ struct box {
 static void find_box(struct box *box, const struct sim_conversion *c)
 {
     const double unit = (double)c->made.steps.scale / 65536.0 / 256.0; /* world units to 1/256 step */
-    double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
-           most = 0.0;
+    double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY }, most = 0.0;
     for (uint32_t i = 0; i < c->made.pieces.n_pieces; i++)
         for (uint32_t v = 0; v < c->made.pieces.piece[i].n_verts; v++)
             for (int k = 0; k < 3; k++) {
@@ -626,30 +616,25 @@ static void describe_place(FILE *f, const struct sim_conversion *c, const struct
 {
     const struct sim_steps *s = &c->made.steps;
     char text[4][32];
-    (void)fprintf(f,
-                  " * Size       %ld x %ld x %ld world units; a unit of the model is %s of them.\n",
+    (void)fprintf(f, " * Size       %ld x %ld x %ld world units; a unit of the model is %s of them.\n",
                   box->hi[0] - box->lo[0], box->hi[1] - box->lo[1], box->hi[2] - box->lo[2],
                   exactly(text[0], s->unit));
     (void)fprintf(f, " * Place      0,0,0 is %s.\n",
-                  c->options.keep_origin ? "the model's own origin"
-                                         : "the middle of the model's box");
-    (void)fprintf(f,
-                  " * Positions  in the model's units: %s %s %s + %s * n, n as in the arrays%s.\n",
-                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]),
-                  exactly(text[2], s->origin[2]), exactly(text[3], s->step),
-                  s->fine ? " (pos + pos_lo / 256)" : "");
+                  c->options.keep_origin ? "the model's own origin" : "the middle of the model's box");
+    (void)fprintf(f, " * Positions  in the model's units: %s %s %s + %s * n, n as in the arrays%s.\n",
+                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]), exactly(text[2], s->origin[2]),
+                  exactly(text[3], s->step), s->fine ? " (pos + pos_lo / 256)" : "");
 }
 
 static void describe_use(FILE *f, const char *name, const char *big)
 {
-    (void)fprintf(
-        f,
-        " * Use        a scene's .instance can be %s_instance, and .n_instances %s_INSTANCES. To "
-        "move\n"
-        " *            the model, copy all of it to RAM and give every instance the same pose:\n"
-        " *                struct zs_instance %s[%s_INSTANCES];\n"
-        " *                memcpy(%s, %s_instance, sizeof %s);\n",
-        name, big, name, big, name, name, name);
+    (void)fprintf(f,
+                  " * Use        a scene's .instance can be %s_instance, and .n_instances %s_INSTANCES. To "
+                  "move\n"
+                  " *            the model, copy all of it to RAM and give every instance the same pose:\n"
+                  " *                struct zs_instance %s[%s_INSTANCES];\n"
+                  " *                memcpy(%s, %s_instance, sizeof %s);\n",
+                  name, big, name, big, name, name, name);
 }
 
 static void defines(FILE *f, const struct sim_conversion *c, const char *big, const struct box *b)
@@ -661,8 +646,8 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
             (void)fprintf(f, "#define %s_%s %" PRIu32 "u\n", big, forms[form].define,
                           all_paints(p, (enum sim_form)form));
     if (all_paints(p, SIM_FORM_BLEND) > 0)
-        (void)fprintf(f, "#define %s_METHOD (&zs_method_transparent) /* zs_config.method: sorts what is transparent */\n",
-                      big);
+        (void)fprintf(
+            f, "#define %s_METHOD (&zs_method_transparent) /* zs_config.method: sorts what is transparent */\n", big);
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
     (void)fprintf(f, "#define %s_VARYINGS %s /* zs_config.varyings, at least */\n", big, attrs_name(p));
@@ -670,13 +655,11 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
     (void)fprintf(f, "#define %s_FAST ", big);
     accelerators(f, c);
     (void)fputc('\n', f);
-    (void)fprintf(f, "#define %s_LO { %ld, %ld, %ld } /* world units: its box, its middle, */\n",
-                  big, b->lo[0], b->lo[1], b->lo[2]);
-    (void)fprintf(f,
-                  "#define %s_HI { %ld, %ld, %ld } /* and how far from the middle it reaches */\n",
-                  big, b->hi[0], b->hi[1], b->hi[2]);
-    (void)fprintf(f, "#define %s_MIDDLE { %ld, %ld, %ld }\n", big, b->middle[0], b->middle[1],
-                  b->middle[2]);
+    (void)fprintf(f, "#define %s_LO { %ld, %ld, %ld } /* world units: its box, its middle, */\n", big, b->lo[0],
+                  b->lo[1], b->lo[2]);
+    (void)fprintf(f, "#define %s_HI { %ld, %ld, %ld } /* and how far from the middle it reaches */\n", big, b->hi[0],
+                  b->hi[1], b->hi[2]);
+    (void)fprintf(f, "#define %s_MIDDLE { %ld, %ld, %ld }\n", big, b->middle[0], b->middle[1], b->middle[2]);
     (void)fprintf(f, "#define %s_RADIUS %ld\n", big, b->radius);
 }
 
@@ -705,9 +688,8 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
         (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->made.n_skins);
     (void)fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", f);
     if (has_mesh) {
-        (void)fprintf(
-            f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n",
-            name, big);
+        (void)fprintf(f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n", name,
+                      big);
         (void)fprintf(f, "extern const struct zs_mesh %s_mesh[%s_INSTANCES];\n", name, big);
         for (size_t form = 0; form < N_FORMS; form++)
             if (all_paints(&c->made.pieces, (enum sim_form)form) > 0)

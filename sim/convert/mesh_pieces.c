@@ -93,9 +93,8 @@ static uint32_t texture_of(const struct work *w, uint32_t t)
     const enum sim_look look = (enum sim_look)w->options->look;
     if (look != SIM_LOOK_TEXTURED && look != SIM_LOOK_TEXTURED_FLAT && look != SIM_LOOK_UNLIT)
         return SIM_NO_TEXTURE;
-    return sim_model_texture(w->model, t) != NULL
-               ? w->model->material[w->model->tri_material[t]].texture
-               : SIM_NO_TEXTURE;
+    return sim_model_texture(w->model, t) != NULL ? w->model->material[w->model->tri_material[t]].texture
+                                                  : SIM_NO_TEXTURE;
 }
 
 /* The colour of a triangle where its shader knows one; *whole is cleared where its corners differ.
@@ -110,8 +109,8 @@ static struct zs_rgb color_of(const struct work *w, uint32_t t, enum sim_shader 
 
 static int same_light(const struct sim_paint *a, const struct sim_paint *b)
 {
-    return a->lit == b->lit && a->power == b->power && a->two_sided == b->two_sided && same_rgb(a->specular, b->specular) &&
-           same_rgb(a->emission, b->emission);
+    return a->lit == b->lit && a->power == b->power && a->two_sided == b->two_sided &&
+           same_rgb(a->specular, b->specular) && same_rgb(a->emission, b->emission);
 }
 
 static uint32_t find_group(struct groups *g, const struct sim_paint *paint, int by_color)
@@ -123,9 +122,7 @@ static uint32_t find_group(struct groups *g, const struct sim_paint *paint, int 
             (!by_color || is_textured(paint->shader) || same_rgb(g->at[i].paint.rgb, paint->rgb)))
             return i;
     g->at = sim_grow(g->at, (size_t)g->n + 1, sizeof *g->at);
-    g->at[g->n] = (struct group){
-        .paint = *paint, .material = UINT32_MAX, .same_material = 1, .same_rgb = 1
-    };
+    g->at[g->n] = (struct group){ .paint = *paint, .material = UINT32_MAX, .same_material = 1, .same_rgb = 1 };
     return g->n++;
 }
 
@@ -170,9 +167,10 @@ static struct sim_paint paint_of(const struct work *w, uint32_t t)
 {
     const uint32_t texture = texture_of(w, t);
     const struct sim_material *material = &w->model->material[w->model->tri_material[t]];
-    const enum sim_look look =
-        w->options->by_material && material->unlit ? SIM_LOOK_UNLIT : (enum sim_look)w->options->look;
-    struct sim_paint paint = { .shader = shader_of(look, texture != SIM_NO_TEXTURE), .texture = texture,
+    const enum sim_look look = w->options->by_material && material->unlit ? SIM_LOOK_UNLIT
+                                                                          : (enum sim_look)w->options->look;
+    struct sim_paint paint = { .shader = shader_of(look, texture != SIM_NO_TEXTURE),
+                               .texture = texture,
                                .rgb = { 255, 255, 255 } };
     paint.cull = (uint8_t)(material->two_sided && w->options->cull == ZS_CULL_BACK ? ZS_CULL_NONE : w->options->cull);
     set_alpha(w, &paint, material);
@@ -189,8 +187,7 @@ static void add_to_group(struct work *w, uint32_t t, int by_color, int *whole)
     const uint32_t n = find_group(&w->groups, &paint, by_color);
     struct group *g = &w->groups.at[n];
     g->same_rgb = g->same_rgb && triangle_whole && same_rgb(g->paint.rgb, paint.rgb);
-    g->same_material =
-        g->same_material && (g->material == UINT32_MAX || g->material == w->model->tri_material[t]);
+    g->same_material = g->same_material && (g->material == UINT32_MAX || g->material == w->model->tri_material[t]);
     g->material = w->model->tri_material[t];
     g->n_tris++;
     w->groups.of[t] = n;
@@ -266,10 +263,8 @@ static double fit_fold(const struct work *w, uint32_t group, struct fold *fold, 
                 hi[axis] = fmax(hi[axis], placed(w, fold, texture, t, k, axis));
             }
         const int clamps = texture->clamp & (axis == 0 ? ZS_CLAMP_U : ZS_CLAMP_V);
-        fold->shift[axis] =
-            clamps ? 0.0 : -rint((lo[axis] + hi[axis]) / 2.0 - 0.01); /* 0 .. 1 stays */
-        most = fmax(most,
-                    fmax(fabs(lo[axis] + fold->shift[axis]), fabs(hi[axis] + fold->shift[axis])));
+        fold->shift[axis] = clamps ? 0.0 : -rint((lo[axis] + hi[axis]) / 2.0 - 0.01); /* 0 .. 1 stays */
+        most = fmax(most, fmax(fabs(lo[axis] + fold->shift[axis]), fabs(hi[axis] + fold->shift[axis])));
     }
     fold->bits = 15;
     while (fold->bits > 0 && rint(ldexp(most, fold->bits)) > INT16_MAX)
@@ -286,12 +281,11 @@ static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
     for (fold->by_triangle = 0; fold->by_triangle < 2; fold->by_triangle++)
         if (fit_fold(w, group, fold, lo, hi) <= TEXELS_OFF_MAX)
             return SIM_OK;
-    return sim_refuse(
-        w->model->file, 0,
-        "texture coordinates of a face run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
-        "%.3g times over; repeat the picture less often, or make it smaller (--texture-size)",
-        lo[0], lo[1], hi[0], hi[1], size[0], size[1],
-        INT16_MAX / (double)(size[0] > size[1] ? size[0] : size[1]));
+    return sim_refuse(w->model->file, 0,
+                      "texture coordinates of a face run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
+                      "%.3g times over; repeat the picture less often, or make it smaller (--texture-size)",
+                      lo[0], lo[1], hi[0], hi[1], size[0], size[1],
+                      INT16_MAX / (double)(size[0] > size[1] ? size[0] : size[1]));
 }
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
@@ -334,11 +328,9 @@ static void take_uv(struct work *w, const struct shape *s, uint32_t t, int k, in
 {
     const uint32_t texture = s->group->paint.texture;
     for (int axis = 0; axis < 2; axis++) {
-        const double exact =
-            placed(w, &s->fold, &w->model->texture[texture], t, k, axis) + s->fold.shift[axis];
+        const double exact = placed(w, &s->fold, &w->model->texture[texture], t, k, axis) + s->fold.shift[axis];
         out[axis] = (int16_t)rint(ldexp(exact, s->fold.bits));
-        const double off =
-            fabs(exact - ldexp(out[axis], -s->fold.bits)) * w->texture_size[texture][axis];
+        const double off = fabs(exact - ldexp(out[axis], -s->fold.bits)) * w->texture_size[texture][axis];
         w->out->uv_error[texture] = fmax(w->out->uv_error[texture], off);
     }
 }
@@ -415,9 +407,8 @@ static void copy_vertices(struct sim_piece *p, const struct shape *s, const uint
     p->fine = sim_alloc(p->n_verts, sizeof *p->fine);
     p->normal = has_normals(shader) ? sim_alloc(p->n_verts, sizeof *p->normal) : NULL;
     p->uv = is_textured(shader) ? sim_alloc(p->n_verts, sizeof *p->uv) : NULL;
-    p->vertex_rgb = shader == SIM_SHADER_SMOOTH && !s->group->same_rgb
-                        ? sim_alloc(p->n_verts, sizeof *p->vertex_rgb)
-                        : NULL;
+    p->vertex_rgb = shader == SIM_SHADER_SMOOTH && !s->group->same_rgb ? sim_alloc(p->n_verts, sizeof *p->vertex_rgb)
+                                                                       : NULL;
     for (uint32_t v = 0; v < p->n_verts; v++) {
         const struct corner *c = &s->corner[from[v]];
         memcpy(p->fine[v], c->fine, sizeof c->fine);
@@ -475,8 +466,8 @@ static void copy_faces(struct work *w, struct sim_piece *p, const struct shape *
 
 /* Number the vertices of some triangles from 0. tri [n]; from, filled: number -> the shape's
  * corner. */
-static uint32_t number(uint32_t (*tri)[3], uint32_t *from, const struct shape *s,
-                       const uint32_t *list, uint32_t n, uint32_t *slot)
+static uint32_t number(uint32_t (*tri)[3], uint32_t *from, const struct shape *s, const uint32_t *list, uint32_t n,
+                       uint32_t *slot)
 {
     uint32_t n_verts = 0;
     for (uint32_t i = 0; i < n; i++)
@@ -494,19 +485,17 @@ static uint32_t number(uint32_t (*tri)[3], uint32_t *from, const struct shape *s
 }
 
 /* Sort a piece's triangles: tri and list are permuted, its clusters filled. */
-static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *s,
-                       uint32_t (*tri)[3], uint32_t *list, const uint32_t *from)
+static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *s, uint32_t (*tri)[3], uint32_t *list,
+                       const uint32_t *from)
 {
     int32_t(*fine)[3] = sim_alloc(p->n_verts, sizeof *fine);
     uint32_t *order = sim_alloc(p->n_tris, sizeof *order);
-    uint32_t(*old)[3] = sim_alloc(p->n_tris, sizeof *old),
-    *old_list = sim_alloc(p->n_tris, sizeof *old_list);
+    uint32_t(*old)[3] = sim_alloc(p->n_tris, sizeof *old), *old_list = sim_alloc(p->n_tris, sizeof *old_list);
     for (uint32_t v = 0; v < p->n_verts; v++)
         memcpy(fine[v], s->corner[from[v]].fine, sizeof *fine);
     memcpy(old, tri, p->n_tris * sizeof *old);
     memcpy(old_list, list, p->n_tris * sizeof *old_list);
-    const struct sim_shape shape = { (const int32_t(*)[3])fine, (const uint32_t(*)[3])old,
-                                     p->n_verts, p->n_tris };
+    const struct sim_shape shape = { (const int32_t(*)[3])fine, (const uint32_t(*)[3])old, p->n_verts, p->n_tris };
     p->cluster = sim_cluster(order, &p->n_clusters, &shape, s->group->paint.cull == ZS_CULL_BACK);
     if (w->options->bvh)
         p->bvh = sim_hierarchy(&p->n_nodes, order, p->cluster, p->n_clusters, &shape);
@@ -519,8 +508,7 @@ static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *
 }
 
 /* A piece from the triangles of a list; slot: all zero, and again afterwards. */
-static void make_piece(struct work *w, const struct shape *s, uint32_t *list, uint32_t n,
-                       uint32_t *slot)
+static void make_piece(struct work *w, const struct shape *s, uint32_t *list, uint32_t n, uint32_t *slot)
 {
     struct sim_pieces *out = w->out;
     struct sim_piece p = { .paint = s->paint, .n_tris = n, .uv_bits = s->fold.bits };
@@ -547,8 +535,7 @@ static void make_piece(struct work *w, const struct shape *s, uint32_t *list, ui
     out->n_tris += n;
 }
 
-static uint32_t count_vertices(const struct shape *s, const uint32_t *list, uint32_t n,
-                               uint32_t *slot)
+static uint32_t count_vertices(const struct shape *s, const uint32_t *list, uint32_t n, uint32_t *slot)
 {
     uint32_t n_verts = 0;
     for (uint32_t i = 0; i < n; i++)
@@ -568,9 +555,7 @@ struct ranked {
 static int by_rank(const void *a, const void *b)
 {
     const struct ranked *x = a, *y = b;
-    return x->along != y->along ? (x->along < y->along ? -1 : 1)
-           : x->tri < y->tri    ? -1
-                                : x->tri > y->tri;
+    return x->along != y->along ? (x->along < y->along ? -1 : 1) : x->tri < y->tri ? -1 : x->tri > y->tri;
 }
 
 /* Three times the middle of a triangle, along an axis. */
@@ -625,8 +610,7 @@ static void cut(struct work *w, const struct shape *s)
     stack[0].n = n_tris;
     while (depth > 0) {
         const uint32_t first = stack[--depth].first, n = stack[depth].n;
-        if (s->n_corners <= PIECE_VERTS_MAX ||
-            count_vertices(s, list + first, n, slot) <= PIECE_VERTS_MAX) {
+        if (s->n_corners <= PIECE_VERTS_MAX || count_vertices(s, list + first, n, slot) <= PIECE_VERTS_MAX) {
             make_piece(w, s, list + first, n, slot);
             continue;
         }
@@ -672,10 +656,9 @@ static int make_all(struct work *w, int by_color, int *done)
     for (uint32_t i = 0; *done && status == SIM_OK && i < w->groups.n; i++)
         status = make_group(w, i);
     if (status == SIM_OK && *done && out->n_tris == 0)
-        status = sim_refuse(
-            w->model->file, 0,
-            "none of its %u triangles has an area on a grid of %g; give --precise, or repair it",
-            w->model->n_tris, w->steps->fine ? w->steps->step / 256.0 : w->steps->step);
+        status = sim_refuse(w->model->file, 0,
+                            "none of its %u triangles has an area on a grid of %g; give --precise, or repair it",
+                            w->model->n_tris, w->steps->fine ? w->steps->step / 256.0 : w->steps->step);
     return status;
 }
 
@@ -696,7 +679,8 @@ static void measure_places(struct work *w)
 }
 
 /* What of a triangle's material is not drawn, of that which the loader has read. */
-static void lose_of(const struct work *w, const struct sim_material *m, const struct sim_paint *paint, struct sim_lost *lost)
+static void lose_of(const struct work *w, const struct sim_material *m, const struct sim_paint *paint,
+                    struct sim_lost *lost)
 {
     const struct zs_rgb none = { 0, 0, 0 };
     if (m->two_sided && !paint->lit && paint->shader != SIM_SHADER_RAW && paint->shader != SIM_SHADER_TEXTURE)
@@ -767,14 +751,11 @@ static int has_choice(const struct work *w)
     return 0;
 }
 
-int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model,
-                    const struct sim_steps *steps, const struct sim_convert_options *o,
-                    const uint32_t (*texture_size)[2])
+int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model, const struct sim_steps *steps,
+                    const struct sim_convert_options *o, const uint32_t (*texture_size)[2])
 {
     struct sim_pieces by_color = { 0 };
-    struct work w = {
-        .model = model, .steps = steps, .options = o, .texture_size = texture_size, .out = out
-    };
+    struct work w = { .model = model, .steps = steps, .options = o, .texture_size = texture_size, .out = out };
     int done = 0;
     memset(out, 0, sizeof *out);
     measure_places(&w);
@@ -826,8 +807,8 @@ void sim_pieces_free(struct sim_pieces *pieces)
 {
     for (uint32_t i = 0; i < pieces->n_pieces; i++) {
         struct sim_piece *p = &pieces->piece[i];
-        SIM_FREE(p->fine, p->normal, p->face_normal, p->vertex_rgb, p->face_rgb, p->face_raw, p->uv, p->tri,
-                 p->source, p->cluster, p->bvh);
+        SIM_FREE(p->fine, p->normal, p->face_normal, p->vertex_rgb, p->face_rgb, p->face_raw, p->uv, p->tri, p->source,
+                 p->cluster, p->bvh);
     }
     SIM_FREE(pieces->piece, pieces->paint, pieces->uv_error);
     memset(pieces, 0, sizeof *pieces);

@@ -25,12 +25,12 @@ enum sim_shader {
 struct sim_paint {
     enum sim_shader shader;
     struct zs_rgb rgb;
-    uint32_t texture; /* into sim_model.texture, or SIM_NO_TEXTURE */
-    uint8_t cull;     /* enum zs_cull */
+    uint32_t texture;          /* into sim_model.texture, or SIM_NO_TEXTURE */
+    uint8_t cull;              /* enum zs_cull */
     uint8_t alpha_mode, alpha; /* enum sim_alpha, mask only with a texture; opacity, 255 is full */
     uint8_t power;             /* of highlights; 0: none */
-    uint8_t lit;               /* flag: a struct zs_lit_material, which alone has what follows; flat or smooth, opaque */
-    uint8_t two_sided;         /* flag: light falls on back sides */
+    uint8_t lit;       /* flag: a struct zs_lit_material, which alone has what follows; flat or smooth, opaque */
+    uint8_t two_sided; /* flag: light falls on back sides */
     struct zs_rgb specular, emission;
     const char *name; /* of the file's material, borrowed; "": several or none */
 };
@@ -57,12 +57,11 @@ struct sim_pieces {
     struct sim_paint *paint; /* [n_paints] */
     struct sim_piece *piece; /* [n_pieces] */
     uint32_t n_paints, n_pieces, n_verts, n_tris;
-    uint32_t n_flat,
-        n_flat_before; /* triangles left out: without area on the grid; of them, in the file */
-    double error_max, error_rms; /* of positions, model units */
-    double normal_error;         /* largest angle, degrees; < 0: no normals */
+    uint32_t n_flat, n_flat_before;       /* triangles left out: without area on the grid; of them, in the file */
+    double error_max, error_rms;          /* of positions, model units */
+    double normal_error;                  /* largest angle, degrees; < 0: no normals */
     struct sim_lost lost[SIM_LOST_KINDS]; /* of the file: by the loader and here */
-    double *uv_error;            /* [model.n_textures], largest, texels; < 0: not used */
+    double *uv_error;                     /* [model.n_textures], largest, texels; < 0: not used */
 };
 
 /* Make the meshes of a model.
@@ -70,9 +69,8 @@ struct sim_pieces {
  * texture_size  [model->n_textures], texels each way of what will be written: coordinates must
  *               reach half a texel.
  * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_pieces_free in either case. */
-int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model,
-                    const struct sim_steps *steps, const struct sim_convert_options *o,
-                    const uint32_t (*texture_size)[2]);
+int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model, const struct sim_steps *steps,
+                    const struct sim_convert_options *o, const uint32_t (*texture_size)[2]);
 void sim_pieces_free(struct sim_pieces *pieces);
 
 /* The struct that a paint is written as. */

@@ -23,18 +23,14 @@ _Static_assert(sizeof(struct sim_texture) == 48, "struct sim_texture has changed
 #endif
 
 static const struct array {
-    size_t to, size,
-        count; /* the pointer, an element's bytes, and the uint32_t that says how many */
+    size_t to, size, count; /* the pointer, an element's bytes, and the uint32_t that says how many */
 } arrays[] = {
-#define ARRAY(field, n)                                                                            \
-    {                                                                                              \
-        offsetof(struct sim_model, field), sizeof *((struct sim_model *)0)->field,                 \
-            offsetof(struct sim_model, n)                                                          \
+#define ARRAY(field, n)                                                                                               \
+    {                                                                                                                 \
+        offsetof(struct sim_model, field), sizeof *((struct sim_model *)0)->field, offsetof(struct sim_model, n)      \
     }
-    ARRAY(point, n_points),      ARRAY(tri, n_tris),
-    ARRAY(normal, n_tris),       ARRAY(rgb, n_tris),
-    ARRAY(uv, n_tris),           ARRAY(has_uv, n_tris),
-    ARRAY(tri_material, n_tris), ARRAY(material, n_materials),
+    ARRAY(point, n_points),     ARRAY(tri, n_tris),    ARRAY(normal, n_tris),       ARRAY(rgb, n_tris),
+    ARRAY(uv, n_tris),          ARRAY(has_uv, n_tris), ARRAY(tri_material, n_tris), ARRAY(material, n_materials),
     ARRAY(texture, n_textures),
 };
 #define N_ARRAYS (sizeof arrays / sizeof arrays[0])
@@ -131,9 +127,8 @@ static char *get_text(struct block *b)
 static void get_arrays(struct block *b, struct sim_model *model, const struct sim_model *head)
 {
     for (size_t i = 0; i < N_ARRAYS; i++) {
-        void *p = pointer_of(head, &arrays[i]) != NULL
-                      ? get_array(b, count_of(head, &arrays[i]), arrays[i].size)
-                      : NULL;
+        void *p = pointer_of(head, &arrays[i]) != NULL ? get_array(b, count_of(head, &arrays[i]), arrays[i].size)
+                                                       : NULL;
         memcpy((char *)model + arrays[i].to, &p, sizeof p);
     }
     model->n_materials = model->material != NULL ? model->n_materials : 0;
@@ -166,8 +161,7 @@ static void get_rest(struct block *b, struct sim_model *model, const struct sim_
         const int has_alpha = t->image.alpha != NULL;
         t->image.alpha = NULL;
         t->name = get_text(b);
-        b->ok = b->ok && is_side(t->image.width) && is_side(t->image.height) &&
-                t->clamp <= (ZS_CLAMP_U | ZS_CLAMP_V);
+        b->ok = b->ok && is_side(t->image.width) && is_side(t->image.height) && t->clamp <= (ZS_CLAMP_U | ZS_CLAMP_V);
         t->image.rgb = get_array(b, (uint64_t)t->image.width * t->image.height, sizeof *t->image.rgb);
         if (has_alpha)
             t->image.alpha = get_array(b, (uint64_t)t->image.width * t->image.height, 1);
@@ -203,10 +197,12 @@ static int faces_are_sound(const struct sim_model *m)
 static int is_sound(const struct sim_model *m, const struct sim_want *want)
 {
     int ok = m->point != NULL && m->tri != NULL && m->rgb != NULL && m->tri_material != NULL && m->n_materials > 0 &&
-             m->n_tris > 0 && m->n_tris <= COUNT_MAX && m->n_points > 0 && (m->normal != NULL) == (want->normals != 0) &&
-             (m->uv != NULL) == (want->textures != 0) && (m->has_uv != NULL) == (want->textures != 0);
-    ok = ok && within(m->point[0], 3 * (size_t)m->n_points, 1e30) && within(m->lo, 3, 1e30) && within(m->hi, 3, 1e30) &&
-         within(m->center, 3, 1e30) && m->radius > 0.0 && m->radius <= 1e31 && faces_are_sound(m);
+             m->n_tris > 0 && m->n_tris <= COUNT_MAX && m->n_points > 0 &&
+             (m->normal != NULL) == (want->normals != 0) && (m->uv != NULL) == (want->textures != 0) &&
+             (m->has_uv != NULL) == (want->textures != 0);
+    ok = ok && within(m->point[0], 3 * (size_t)m->n_points, 1e30) && within(m->lo, 3, 1e30) &&
+         within(m->hi, 3, 1e30) && within(m->center, 3, 1e30) && m->radius > 0.0 && m->radius <= 1e31 &&
+         faces_are_sound(m);
     for (uint32_t i = 0; ok && i < m->n_materials; i++) {
         const struct sim_material *own = &m->material[i];
         ok = (own->texture == SIM_NO_TEXTURE || own->texture < m->n_textures) && own->alpha_mode <= SIM_ALPHA_BLEND &&

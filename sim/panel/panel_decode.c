@@ -44,8 +44,8 @@ static const struct sim_option table[] = {
       .help = "a picture for each frame mark, numbered from 0; without marks, one at the end" },
     { "--raw", SIM_OPTION_FILE, AT(raw), .value = "F_%03d.bin",
       .help = "the same as RGB565, most significant byte first, or a byte for each level or bit" },
-    { "--moving", SIM_OPTION_FILE, AT(moving), .value = "F.png|F.gif",
-      .help = "all of them as one animated PNG or GIF, too" },
+    { "--moving", SIM_OPTION_FILE, AT(moving), .value = "F.png",
+      .help = "all of them as one animated PNG, too, or a GIF where the name ends so" },
     { "--delay", SIM_OPTION_COUNT, AT(delay), 0, 10, 65535, .value = "MS", .help = "of a picture in it (80)" },
     { "--full", SIM_OPTION_FLAG, AT(full),
       .help = "for programs that draw whole frames: a picture each time that as many pixels came as the glass has, "
@@ -73,12 +73,15 @@ static int parse(struct request *rq, int argc, char **argv)
         if (status != SIM_OK)
             return status;
     }
+    const int status = rq->help ? SIM_OK : sim_options_in_range(table, N_TABLE, rq, seen, NULL);
+    if (status != SIM_OK)
+        return status;
     if (!rq->help && (rq->panel.name == NULL || rq->stream == NULL || rq->out == NULL))
         return sim_usage("panel: %s is missing: zsim panel --panel NAME:WxH --decode STREAM --out F_%%03d.png",
                          rq->panel.name == NULL ? "--panel"
                          : rq->stream == NULL   ? "--decode"
                                                 : "--out");
-    return rq->help ? SIM_OK : sim_options_in_range(table, N_TABLE, rq, seen, NULL);
+    return SIM_OK;
 }
 
 /* A pattern holds at most one %d, with a width or not; nothing else that begins with %. */

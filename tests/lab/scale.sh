@@ -1,6 +1,6 @@
 #!/bin/sh
-# How instructions grow with triangles, pixels, strips, passes, depth complexity and less RAM (firmware/app/scale.c), on QEMU's
-# Cortex-M3: no series may grow worse than linearly. The same frames on this machine must be the same, bit for bit.
+# How instructions grow with triangles, pixels, strips, passes, depth complexity and less RAM (firmware/app/scale.c), on
+# QEMU's Cortex-M3: no series may grow worse than linearly. The same frames on this machine must be the same, bit for bit.
 # Instructions are not cycles.
 #
 # A series' exponent is that of the power of x that fits its points best (least squares of logarithms). It may not be

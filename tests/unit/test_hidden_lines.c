@@ -227,7 +227,8 @@ static int view_case(const struct zs_mesh *mesh, struct prng *p, uint32_t kinds,
 {
     static const struct zs_depth_state back = ZS_HIDDEN_LINE_STATE;
     static const struct zs_material hides = { .shader = &zs_shade_none };
-    struct zs_mesh numbered = *mesh; /* with a number for each line: n_tris is that of the lines */
+    static const uint16_t any[3 * EDGES_MAX][3]; /* triangles of the lines' numbers, which `numbers` does not look at */
+    struct zs_mesh numbered = *mesh;
     struct zs_lines lines = { ZS_LINES((const uint16_t (*)[2])pair, 0), .width = 1 };
     const struct zs_material ink = { .shader = &numbers, .primitive = &lines.primitive };
     const struct zs_instance instance[2] = { { .mesh = mesh, .material = &hides, .depth_state = &back },
@@ -246,6 +247,7 @@ static int view_case(const struct zs_mesh *mesh, struct prng *p, uint32_t kinds,
     CASE_CHECK(err == ZS_OK && mesh->n_verts <= VERTS_MAX && 3 * mesh->n_tris <= 3 * EDGES_MAX);
     const uint32_t n = (uint32_t)zs_edges_of(edge, mesh);
     lines.primitive.n = zs_edges_choose(pair, EDGES_MAX, edge, n, mesh, kinds, ZS_DEGREES(30), &instance[1], &camera);
+    numbered.tri = any;
     numbered.n_tris = lines.primitive.n;
     struct zs_config c = picture_config(SIDE, SIDE, &zs_depth_recip);
     c.max_tris = 20000;

@@ -1012,7 +1012,7 @@ static void program_turns_a_model(void **state)
     memcpy(first, left->rgb, sizeof first);
     (void)snprintf(line, sizeof line, "%s/ours.png", folder);
     assert_int_equal(sim_png_save(line, 240, 240, first), 0);
-    (void)snprintf(line, sizeof line, "%.*s/zsim render %s --panel st7789:240x240 --shade smooth --subpixel 8 --out "
+    (void)snprintf(line, sizeof line, "%.*s/zsim render %s --panel st7789:240x240 --subpixel 8 --out "
                    "%s/truth.png >/dev/null && cmp %s/ours.png %s/truth.png",
                    (int)(strrchr(cases_program, '/') - cases_program), cases_program, path, folder, folder, folder);
     assert_int_equal(system(line), 0);

@@ -11,8 +11,8 @@ struct at_row {
     int64_t nr, ny; /* the normal, any length */
 };
 
-/* The point a / n of the way between p[1] and p[2]: twice n^3 times the polynomial; below, n^2 times twice its derivative.
- * Beyond an end of the profile the end itself is taken; n <= 255, |p| < 2^15: sums below 2^45. */
+/* The point a / n of the way between p[1] and p[2]: twice n^3 times the polynomial; below, n^2 times twice its
+ * derivative. Beyond an end of the profile the end itself is taken; n <= 255, |p| < 2^15: sums below 2^45. */
 static int64_t curve(const int64_t p[4], int64_t a, int64_t n)
 {
     const int64_t c3 = -p[0] + 3 * p[1] - 3 * p[2] + p[3], c2 = 2 * p[0] - 5 * p[1] + 4 * p[2] - p[3];

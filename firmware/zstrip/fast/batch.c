@@ -197,9 +197,9 @@ ZS_ALWAYS_INLINE void place(struct sweep *s, uint32_t t, const struct corners *c
     out->paint = s->face ? s->face(&s->r->shading, t) : 0u;
 }
 
-/* Bin triangles [t, end), whose vertices' numbers are at tri. Return `end`, or the triangle for which the pool is full. Vertices
- * outside near, far or the guard band need no test of their own: zs_screen places them so far from
- * all others that their triangles are never small. */
+/* Bin triangles [t, end), whose vertices' numbers are at tri. Return `end`, or the triangle for
+ * which the pool is full. Vertices outside near, far or the guard band need no test of their own:
+ * zs_screen places them so far from all others that their triangles are never small. */
 ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint32_t end,
                                               const uint16_t (*tri)[3])
 {
@@ -304,8 +304,8 @@ static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, uint32_t from, uint32_
     return (uint32_t)(to - corner[0]) / 3u;
 }
 
-/* The triangles of a batch that sweep() does not cull by their facing or as outside: 4 * number in the
- * batch, + 2 if it is a slow case. Return how many they are. */
+/* The triangles of a batch that sweep() does not cull by their facing or as outside: 4 * number in
+ * the batch, + 2 if it is a slow case. Return how many they are. */
 static ZS_NOINLINE uint32_t list(const struct sweep *s, const uint16_t (*tri)[3], uint32_t n,
                                  uint8_t *left)
 {

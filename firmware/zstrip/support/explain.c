@@ -242,6 +242,7 @@ static void say_passes(struct zs_explainer *e, const struct zs_stats *s)
 {
     const struct zs_config *c = &e->r->config;
     const uint64_t clipped = s->tris_clipped;
+    const uint32_t max_tris = c->max_tris + e->r->parts_tris; /* of the pool (fast/parts.c) */
     uint64_t verts = CORNERS * clipped, tris = s->tris_drawn + PIECES * clipped;
     for (uint32_t i = 0; i < e->scene->n_instances; i++) {
         struct zs_bounds b;
@@ -250,13 +251,13 @@ static void say_passes(struct zs_explainer *e, const struct zs_stats *s)
             verts += e->scene->instance[i].mesh->n_verts;
     }
     ZS_PIECE(e, "the frame takes % passes; one needs", s->passes);
-    if (tris > c->max_tris)
+    if (tris > max_tris)
         ZS_PIECE(e, " max_tris % (it is %)", (int64_t)(tris < ZS_POOL_MAX ? tris : ZS_POOL_MAX),
-                 c->max_tris);
+                 max_tris);
     if (verts > c->max_verts)
         ZS_PIECE(e, " max_verts % (it is %)", (int64_t)(verts < ZS_POOL_MAX ? verts : ZS_POOL_MAX),
                  c->max_verts);
-    ZS_SAY(e, tris > c->max_tris || verts > c->max_verts ? "." : " larger pools.");
+    ZS_SAY(e, tris > max_tris || verts > c->max_verts ? "." : " larger pools.");
 }
 
 static void say_slow(struct zs_explainer *e, const struct zs_seen *all)
