@@ -76,9 +76,11 @@ struct sweep {
     uint16_t (*face)(const struct zs_shading *s, uint32_t tri);
     uint32_t n;                /* number of the next record */
     struct zs_tri *out, *full; /* the next record; one beyond the pool's last */
-    uint32_t placed; /* n less the number of triangles that place() has binned, negative */
-    uint32_t *fate;  /* [ZS_FATES]: counts of outcomes */
-    uint32_t *piece; /* of a clipped triangle, as in zs_assemble_tri */
+    uint32_t placed;    /* n less the number of triangles that place() has binned, negative */
+    uint32_t *fate;     /* [ZS_FATES]: counts of outcomes */
+    uint8_t by_batches; /* flags: sweep() leaves slow cases to batch_bin(); ... */
+    uint8_t full_verts; /* ... a batch has no room for a vertex of its first triangle */
+    uint32_t *piece;    /* of a clipped triangle, as in zs_assemble_tri */
 };
 
 /* A triangle on the screen, as zs_area_short sets it, and its vertices' numbers in the mesh. */
@@ -214,8 +216,10 @@ ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint3
         }
         if (wide ? outside(s, *tri) : area * s->keep < 0)
             continue;
-        if (wide || area == 0 || s->out == s->full) {
-            if (!slow_case(s, t))
+        if (ZS_SELDOM(!wide && area == 0)) {
+            s->fate[ZS_FATE_ZERO]++;
+        } else if (wide || s->out == s->full) {
+            if (s->by_batches || !slow_case(s, t))
                 break;
         } else {
             struct corners c = { { at[0], at[1], at[2], at[3], at[4], at[5] }, i, j, &(*tri)[1] };
@@ -325,7 +329,8 @@ static ZS_NOINLINE uint32_t list(const struct sweep *s, const uint16_t (*tri)[3]
     return (uint32_t)(out - left);
 }
 
-/* Bin triangles [from, end) in batches, as batch_bin. */
+/* Bin triangles [from, end) in batches. Return the triangle that it reached: one that is a slow case,
+ * or for which a pool is full. */
 static ZS_NOINLINE uint32_t by_batches(struct sweep *s, uint32_t from, uint32_t end)
 {
     struct zs_renderer *r = s->r;
@@ -338,62 +343,74 @@ static ZS_NOINLINE uint32_t by_batches(struct sweep *s, uint32_t from, uint32_t 
             break;
         tri = r->xform.instance->mesh->tri + from;
         if (!r->direct) {
-            if ((n = gather(r, from, n, corner)) == 0)
+            if ((n = gather(r, from, n, corner)) == 0) {
+                s->full_verts = 1;
                 return from;
+            }
             tri = (const uint16_t(*)[3])corner;
             s->n_verts = r->n_verts;
         }
         if (r->parts_tris)
             zs_parts_note(r, from, s->pool, tri, left, list(s, tri, n, left));
         reached = counted(s, from, from + n, tri);
-        if (reached < from + n) {
-            r->slow_first = !r->direct;
+        if (reached < from + n)
             return reached;
-        }
     }
     return end;
 }
 
-static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
-                                      uint32_t fate[ZS_FATES], uint32_t *piece)
+static void begin(struct sweep *s, struct zs_renderer *r)
 {
     const struct zs_instance *in = r->xform.instance;
     const struct zs_shader *shader = in->material->shader;
     const uint32_t cull = in->material->cull;
     const int32_t height = r->config.strip_h, row = zs_max32(r->walk_y, r->strip * height),
                   end_row = zs_min32(r->walk_y_end, r->band_end * height);
+    s->r = r;
+    s->base = r->direct ? (uint16_t)r->vert_base : 0u;
+    s->pool = &r->vert[s->base];
+    s->n_verts = in->mesh->n_verts;
+    s->keep = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
+    s->x = r->walk_x;
+    s->x_end = r->walk_end;
+    s->row = (uint32_t)row;
+    s->rows = (uint32_t)zs_max32(end_row - row, 0);
+    s->strip_mul = r->strip_mul;
+    s->strip_shift = r->strip_shift;
+    s->bin = r->bin;
+    s->varyings = shader->vertex ? r->config.varyings : 0u;
+    s->face = shader->face;
+    s->instance = (uint16_t)r->xform.number;
+    s->n = r->n_tris;
+    s->out = r->tri + s->n;
+    s->full = r->tri + r->config.max_tris;
+}
+
+/* In batches, a slow case is assembled here, without their memory on the stack. */
+static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
+                                      uint32_t fate[ZS_FATES], uint32_t *piece)
+{
     struct sweep s;
-    if (r->slow_first) {
-        const enum zs_fate f = zs_assemble_tri(r, from, piece);
-        if (f == ZS_FATE_FULL)
-            return from;
-        r->slow_first = 0;
-        fate[f]++;
-        from++;
-    }
-    s.r = r;
-    s.base = r->direct ? (uint16_t)r->vert_base : 0u;
-    s.pool = &r->vert[s.base];
-    s.n_verts = in->mesh->n_verts;
-    s.keep = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
-    s.x = r->walk_x;
-    s.x_end = r->walk_end;
-    s.row = (uint32_t)row;
-    s.rows = (uint32_t)zs_max32(end_row - row, 0);
-    s.strip_mul = r->strip_mul;
-    s.strip_shift = r->strip_shift;
-    s.bin = r->bin;
-    s.varyings = shader->vertex ? r->config.varyings : 0u;
-    s.face = shader->face;
-    s.instance = (uint16_t)r->xform.number;
-    s.n = r->n_tris;
-    s.out = r->tri + s.n;
-    s.full = r->tri + r->config.max_tris;
     s.fate = fate;
     s.piece = piece;
-    if (r->direct && !r->parts_tris)
-        return counted(&s, from, end, in->mesh->tri + from);
-    return by_batches(&s, from, end);
+    s.by_batches = !r->direct || r->parts_tris;
+    s.full_verts = 0;
+    for (;; r->slow_first = 1) {
+        if (r->slow_first) {
+            const enum zs_fate f = zs_assemble_tri(r, from, piece);
+            if (f == ZS_FATE_FULL)
+                return from;
+            r->slow_first = 0;
+            fate[f]++;
+            from++;
+        }
+        begin(&s, r);
+        if (!s.by_batches)
+            return counted(&s, from, end, r->xform.instance->mesh->tri + from);
+        from = by_batches(&s, from, end);
+        if (from == end || s.full_verts)
+            return from;
+    }
 }
 
 static const struct zs_fast_batch batch = { .needs = zs_screen_needs,
