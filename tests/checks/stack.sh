@@ -9,6 +9,7 @@
 
 LIMIT=${STACK_LIMIT:-2048} # bytes, any public function, of a program without effects
 EFFECTS_LIMIT=${EFFECTS_STACK_LIMIT:-2688} # ... with all of them, in any combination; most cannot happen
+EXPLAIN_LIMIT=${EXPLAIN_STACK_LIMIT:-3456} # zs_explain and its like, which draw a frame within
 PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
 
 stack() { # NAME DIR ARGUMENTS of stack.mjs...
@@ -29,6 +30,8 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     flags=${4:-}
     none=zs_method.begin,zs_shader.place,zs_shader.span,zs_reflection,zs_mirror_ops,zs_mask
     bound "$2" '' "$(echo "$empty,$none" | sed 's/^-,//')"
+    copy "$2-explain"
+    bound "$2-explain" '' "$(echo "$empty,$none" | sed 's/^-,//')"
     case $2 in bare-*) return ;; esac
     for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort \
         raycast_rays_ray.nodes_sort; do
@@ -58,10 +61,15 @@ bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _
     *-effects-*) ;;
     *) most=$LIMIT && rm -f "$dir"/effect_*.* "$dir"/overlay_*.* ;;
     esac
+    prefix=zs_ first=zs_render
+    case $1 in
+    *-explain) prefix=zs_explain first=zs_explain most=$EXPLAIN_LIMIT ;;
+    *) rm -f "$dir"/support_explain*.* ;;
+    esac
     # shellcheck disable=SC2086
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections $flags || { bad "$1 links" "see above"; return; }
-    stack "$1" "$dir" "$most" zs_ zs_sink,zs_shader.fragment,zs_shader.position,zs_background,zs_resolve "$3" \
-        zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn zs_pose_rotate zs_camera_perspective \
+    stack "$1" "$dir" "$most" $prefix zs_sink,zs_shader.fragment,zs_shader.position,zs_background,zs_resolve,zs_explainer.say \
+        "$3" $first zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn zs_pose_rotate zs_camera_perspective \
         zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit zs_unit zs_mesh_check zs_texture_check
 }
 for c in $CPUS; do
