@@ -57,7 +57,8 @@ int hal_init(void)
 void hal_exit(int status)
 {
     fflush(stdout);
-    const int lost = stream && (ferror(stream) != 0) | (fclose(stream) != 0);
+    int lost = stream && ferror(stream);
+    lost |= stream && fclose(stream) != 0;
     if (lost)
         fputs("HAL_STREAM: the file could not be written\n", stderr);
     exit(lost ? 1 : status);

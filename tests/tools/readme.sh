@@ -255,7 +255,7 @@ follow torus 8000 40000 500
 tree=$out/tree
 rm -rf "$tree"
 mkdir -p "$tree/build"
-cp -a Makefile .ci firmware hal sim tests README.md "$tree"
+cp -a Makefile .ci firmware hal sim tests README.md LICENSE "$tree"
 for file in "$build"/* "$build"/.setup*; do
     case ${file##*/} in fw | test | demo | study | shards | pictures | quick) ;; *) ln -s "$file" "$tree/build/" ;; esac
 done
