@@ -68,9 +68,10 @@ bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _
     esac
     # shellcheck disable=SC2086
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections $flags || { bad "$1 links" "see above"; return; }
-    stack "$1" "$dir" "$most" $prefix zs_sink,zs_shader.fragment,zs_shader.position,zs_background,zs_resolve,zs_explainer.say \
-        "$3" $first zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn zs_pose_rotate zs_camera_perspective \
-        zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit zs_unit zs_mesh_check zs_texture_check
+    stack "$1" "$dir" "$most" $prefix \
+        zs_sink,zs_shader.fragment,zs_shader.position,zs_background,zs_resolve,zs_explainer.say "$3" $first \
+        zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn zs_pose_rotate \
+        zs_camera_perspective zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit zs_unit zs_mesh_check zs_texture_check
 }
 for c in $CPUS; do
     case $c in *m0*) empty=zs_fast.edges,zs_fast.draw ;; *) empty=- ;; esac # nothing on a core that cannot divide
