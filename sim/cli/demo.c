@@ -496,7 +496,7 @@ static void sheet_begin(struct sheet *sheet, const struct request *rq)
             sheet->cell_h = sheet->cell_h < size.height ? size.height : sheet->cell_h;
             sheet->n_pages = sheet->n_pages < frames ? frames : sheet->n_pages;
         }
-    sheet->columns = found < SHEET_COLUMNS ? found : SHEET_COLUMNS;
+    sheet->columns = rq->moving != NULL && found < SHEET_COLUMNS ? found : SHEET_COLUMNS;
     sheet->rows = (found + sheet->columns - 1u) / sheet->columns;
     sheet->page = sim_alloc(sheet->n_pages, sizeof *sheet->page);
     for (uint32_t k = 0; k < sheet->n_pages; k++)

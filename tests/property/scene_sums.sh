@@ -20,7 +20,7 @@ SOURCES=firmware/app/checksums.c
 if [ -n "${SUMS_PIECES:-}" ]; then
     out=$build/piece_sums
     record=tests/records/pieces.txt
-    COLUMNS='gcc_O0 clang_O3 cortex_m0plus cortex_m3 cortex_m7 rv32 ppc bare_m3'
+    COLUMNS='gcc_O0 clang_O3 cortex_m0plus cortex_m3 ppc'
     SOURCES="$SOURCES $(echo firmware/scenes/pieces/*.c)"
 fi
 SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')

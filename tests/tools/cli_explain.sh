@@ -53,7 +53,7 @@ says inside 'the camera is inside instance 0' cube.obj --eye 0,0,0 --at 0,0,1
 says narrow 'the camera sees less than one degree: was ZS_DEGREES meant' cube.obj --fov 0.5
 says facing 'instance 0: 1 of 1 triangles face away: the winding is wrong' below.obj --eye 0,5,1
 says dark "the light's ambient and diffuse are 0" cube.obj --ambient 0 --diffuse 0
-says black 'all that is drawn is black' cube.obj --color 000000 --background 4060ff
+says black "instance 0 is black: its material's rgb is 0; give it a colour" cube.obj --color 000000 --background 4060ff
 says background "instance 0 has the background's colour" cube.obj --color 000000 --background 000000
 says pools 'the frame takes [0-9]* passes; one needs max_tris [0-9]* \(it is 3\)' cube.obj --tris 3 --verts 5
 says strips 'strips of 1 rows are slow' cube.obj --strip 1
