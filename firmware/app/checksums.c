@@ -170,9 +170,7 @@ static const struct piece *piece_of(const struct demo *d)
 
 static int render(const struct demo *d, const struct zs_sink *sink)
 {
-    const struct piece *piece = piece_of(d);
-    return piece->n_passes ? zs_render_passes(&renderer, piece->pass, memory, piece->n_passes, sink)
-                           : zs_render(&renderer, &frame.scene, &frame.camera, sink);
+    return piece_render(&renderer, piece_of(d), &frame.scene, &frame.camera, memory, sink);
 }
 #define METHOD_OF(d) piece_of(d)->method
 #else

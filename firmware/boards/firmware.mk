@@ -86,14 +86,16 @@ endif
 endif
 
 # What names no scene is compiled once, the rest once a scene
-# method/, effect/, overlay/ and hal/panel/ are compiled where the program's own sources name something of them
-METHODS = $(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(APP_SRC))
-EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' $(APP_SRC))
-OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(APP_SRC))
+# method/, effect/, overlay/ and hal/panel/ are compiled where the program's own sources, or headers of their names, name
+# something of them
+NAMING = $(APP_SRC) $(wildcard $(APP_SRC:.c=.h))
+METHODS = $(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
+EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' $(NAMING))
+OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(NAMING))
 CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\
                     $(wildcard firmware/zstrip/*/*.c))
-PANELS = $(if $(shell grep -lE '[<"]panel\.h[>"]' $(APP_SRC)),$(wildcard hal/panel/*.c))
+PANELS = $(if $(shell grep -lE '[<"]panel\.h[>"]' $(NAMING)),$(wildcard hal/panel/*.c))
 COMMON = $(PANELS) $(CORE) $(wildcard firmware/scenes/*.c $(B)/gen/*.c)
 SRC = $(wildcard hal/$(BOARD_HAL)/*.c) $(BOARD_SRC) $(COMMON)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))

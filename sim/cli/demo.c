@@ -20,7 +20,7 @@
 #include "option_table.h"
 #include "output_file.h"
 #include "panel_frame.h"
-#include "pieces.h"
+#include "piece_frame.h"
 #include "reference.h"
 #include "scenes.h"
 #include "false_colors.h"
@@ -156,20 +156,6 @@ static void configure(struct zs_config *config, const struct demo *demo, const s
         config->method = piece->method;
 }
 
-struct piece_frame {
-    const struct piece *piece;
-    const struct demo_frame *f;
-};
-
-static int draw_piece(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
-{
-    static struct zs_pass_memory memory[PIECE_PASSES_MAX];
-    const struct piece_frame *of = ctx;
-    if (of->piece->n_passes)
-        return zs_render_passes(r, of->piece->pass, memory, of->piece->n_passes, sink);
-    return zs_render(r, &of->f->scene, &of->f->camera, sink);
-}
-
 /* A frame of any scene, posed. to: NULL, or a sink that gets it too. */
 static int render(struct sim_frame *frame, const struct demo *demo, const struct demo_frame *f,
                   const struct zs_config *config, const struct zs_sink *to)
@@ -177,9 +163,7 @@ static int render(struct sim_frame *frame, const struct demo *demo, const struct
     const struct piece *piece = piece_of(demo);
     if (!piece)
         return sim_frame_render_to(frame, &f->scene, &f->camera, config, NULL, to);
-    struct piece_frame of = { piece, f };
-    const struct sim_drawing drawing = { draw_piece, &of, config->width, config->height, 0 };
-    return sim_frame_render_by(frame, &drawing, config, NULL, to);
+    return sim_piece_render(frame, piece, f, config, NULL, to);
 }
 
 static uint32_t count_frames(const struct request *rq, const struct demo *demo)

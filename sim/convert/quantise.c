@@ -501,6 +501,22 @@ static void fill_sphere(const struct build *b, struct sim_part *part)
     m->radius = (uint16_t)(ceil(sqrt(squared)) + 1.0); /* <= sqrt(3) * 32769 + 2 < 65536 */
 }
 
+struct zs_mesh sim_part_mesh(const struct sim_part *part, uint32_t n_verts, uint32_t n_tris)
+{
+    return (struct zs_mesh){ .pos = (const int16_t(*)[3])part->pos,
+                             .pos_lo = (const uint8_t(*)[3])part->pos_lo,
+                             .tri = (const uint16_t(*)[3])part->tri,
+                             .normal = (const zs_q1_15(*)[3])part->normal,
+                             .face_normal = (const zs_q1_15(*)[3])part->face_normal,
+                             .vertex_rgb = part->vertex_rgb,
+                             .face_rgb = part->face_rgb,
+                             .face_raw = part->face_raw,
+                             .uv = (const int16_t(*)[2])part->uv,
+                             .cluster = part->cluster,
+                             .n_verts = n_verts,
+                             .n_tris = n_tris };
+}
+
 static void finish_part(struct build *b)
 {
     struct sim_scene *s = b->scene;
@@ -521,19 +537,9 @@ static void finish_part(struct build *b)
     part->face_rgb = sim_alloc(b->n_tris, sizeof *part->face_rgb);
     part->face_raw = sim_alloc(b->n_tris, sizeof *part->face_raw);
     part->tri = sim_grow(b->tri, b->n_tris, sizeof *b->tri);
-    part->mesh = (struct zs_mesh){ .pos = (const int16_t(*)[3])part->pos,
-                                   .pos_lo = (const uint8_t(*)[3])part->pos_lo,
-                                   .tri = (const uint16_t(*)[3])part->tri,
-                                   .normal = (const zs_q1_15(*)[3])part->normal,
-                                   .face_normal = (const zs_q1_15(*)[3])part->face_normal,
-                                   .vertex_rgb = part->vertex_rgb,
-                                   .face_rgb = part->face_rgb,
-                                   .face_raw = part->face_raw,
-                                   .n_verts = b->n_verts,
-                                   .n_tris = b->n_tris,
-                                   .scale = (zs_uq16_16)(b->scale * 65536.0),
-                                   .uv = (const int16_t(*)[2])part->uv,
-                                   .uv_bits = (uint8_t)b->uv.bits };
+    part->mesh = sim_part_mesh(part, b->n_verts, b->n_tris);
+    part->mesh.scale = (zs_uq16_16)(b->scale * 65536.0);
+    part->mesh.uv_bits = (uint8_t)b->uv.bits;
     fill_vertices(b, part);
     fill_faces(b, part);
     fill_sphere(b, part);

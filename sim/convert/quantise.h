@@ -27,6 +27,9 @@ struct sim_part {
     struct zs_cluster *cluster; /* NULL with --mesh file */
 };
 
+/* Its mesh with its arrays, of n_verts and n_tris elements; all else is 0. */
+struct zs_mesh sim_part_mesh(const struct sim_part *part, uint32_t n_verts, uint32_t n_tris);
+
 /* Everything that a frame is drawn from. All parts lie on one grid:
  * position = origin + step * n, n = 256 * pos + pos_lo, 0 where there is no pos_lo. With --mesh convert it is the grid
  * that `zsim convert` writes, and a world unit is one of its own or 2^-k of that; with --mesh file a mesh step is 2^k

@@ -197,23 +197,12 @@ static void take_part(struct sim_scene *s, struct sim_part *part, struct sim_pie
     if (o->shade == SIM_SHADE_ID)
         number_faces(part, p);
     part->material = &s->material[p->paint];
-    part->mesh = (struct zs_mesh){ .pos = (const int16_t(*)[3])part->pos,
-                                   .pos_lo = (const uint8_t(*)[3])part->pos_lo,
-                                   .tri = (const uint16_t(*)[3])part->tri,
-                                   .normal = (const zs_q1_15(*)[3])part->normal,
-                                   .face_normal = (const zs_q1_15(*)[3])part->face_normal,
-                                   .vertex_rgb = part->vertex_rgb,
-                                   .face_rgb = part->face_rgb,
-                                   .face_raw = part->face_raw,
-                                   .n_verts = p->n_verts,
-                                   .n_tris = p->n_tris,
-                                   .scale = scale,
-                                   .center = { p->center[0], p->center[1], p->center[2] },
-                                   .radius = p->radius,
-                                   .uv = (const int16_t(*)[2])part->uv,
-                                   .uv_bits = part->uv != NULL ? p->uv_bits : 0,
-                                   .cluster = part->cluster,
-                                   .n_clusters = part->cluster != NULL ? p->n_clusters : 0 };
+    part->mesh = sim_part_mesh(part, p->n_verts, p->n_tris);
+    part->mesh.scale = scale;
+    memcpy(part->mesh.center, p->center, sizeof part->mesh.center);
+    part->mesh.radius = p->radius;
+    part->mesh.uv_bits = part->uv != NULL ? p->uv_bits : 0;
+    part->mesh.n_clusters = part->cluster != NULL ? p->n_clusters : 0;
     if (part->uv != NULL && (s->uv_bits_least == 0 || s->uv_bits_least > p->uv_bits))
         s->uv_bits_least = p->uv_bits;
 }

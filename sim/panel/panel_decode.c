@@ -4,13 +4,12 @@
  */
 #include "panel_decode.h"
 
-#include <errno.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "image.h"
+#include "input_file.h"
 #include "moving_picture.h"
 #include "option_help.h"
 #include "option_table.h"
@@ -122,25 +121,16 @@ static int is_word(uint16_t word)
 /* All of a stream's words, malloc'ed. */
 static int load(const char *name, uint16_t **words, size_t *n)
 {
-    struct stat st;
-    FILE *f = fopen(name, "rb");
-    if (f == NULL || fstat(fileno(f), &st) != 0) {
-        const int why = errno;
-        if (f != NULL)
-            (void)fclose(f);
-        return sim_refuse(name, 0, "cannot be read: %s", strerror(why));
-    }
-    const size_t bytes = S_ISREG(st.st_mode) ? (size_t)st.st_size : 1;
-    uint8_t *raw = sim_alloc(bytes, 1);
-    const int whole = fread(raw, 1, bytes, f) == bytes;
-    (void)fclose(f);
+    uint8_t *raw;
+    size_t bytes;
+    const int status = sim_file_read(name, &raw, &bytes);
+    if (status != SIM_OK)
+        return status;
     *n = bytes / 2;
     *words = sim_alloc(*n, sizeof **words);
     for (size_t i = 0; i < *n; i++)
         (*words)[i] = (uint16_t)(raw[2 * i] | raw[2 * i + 1] << 8);
     free(raw);
-    if (!whole || !S_ISREG(st.st_mode))
-        return sim_refuse(name, 0, "cannot be read to its end");
     if (bytes % 2 != 0)
         return sim_refuse(name, 0, "has %zu bytes: a stream is made of uint16, two bytes each", bytes);
     for (size_t i = 0; i < *n; i++)

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "convert.h"
+#include "convert_options.h"
 #include "option_help.h"
 #include "option_table.h"
 #include "project_files.h"
@@ -208,7 +209,7 @@ static const char linux_wire_text[] =
     "    linux_wire(&wiring);\n"
     "#endif\n";
 
-static int write_templates(const struct request *rq, const char *sources, const char *name)
+static int write_templates(const struct request *rq, const char *sources, const char *name, const char *input)
 {
     static const char *const files[][2] = { { "main.c", "main.c" },
                                             { "Makefile", "Makefile" },
@@ -226,7 +227,7 @@ static int write_templates(const struct request *rq, const char *sources, const 
     const uint32_t values[6] = { b->w, b->h, b->rows, pool[0], pool[1], b->buffers };
     for (int i = 0; i < 6; i++)
         (void)snprintf(number[i], sizeof number[i], "%lu", (unsigned long)values[i]);
-    last_name(model, sizeof model, rq->convert[0]);
+    last_name(model, sizeof model, input);
     const ssize_t n = readlink("/proc/self/exe", zsim, PATH_MAX);
     zsim[n > 0 ? n : 0] = '\0';
     if (b->pixel_bits < 16)
@@ -277,11 +278,15 @@ static int make_project(struct request *rq, const char *sources, const char *nam
     rq->convert[rq->n_convert++] = out_option;
     rq->convert[rq->n_convert++] = (char *)(uintptr_t)rq->out;
     const struct board *b = &boards[rq->board];
-    int status = sim_convert(rq->n_convert, rq->convert);
+    struct sim_convert_options convert;
+    int status = sim_convert_parse(&convert, rq->n_convert, rq->convert); /* for the model's name */
+    free(convert.command);
+    if (status == SIM_OK)
+        status = sim_convert(rq->n_convert, rq->convert);
     if (status == SIM_OK)
         status = copy_sources(sources, rq->out, strcmp(b->name, "pico") == 0);
     if (status == SIM_OK)
-        status = write_templates(rq, sources, name);
+        status = write_templates(rq, sources, name, convert.input);
     if (status == SIM_OK)
         (void)printf("%s: the program is main.c; make -C %s show\n", rq->out, rq->out);
     return status;

@@ -16,6 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "input_file.h"
 #include "output_file.h"
 #include "sim.h"
 
@@ -54,24 +55,6 @@ char *sim_sources_find(void)
 
 /* ---- Templates ------------------------------------------------------------------------------------------- */
 
-/* All of a file, malloc'ed, with a 0 at its end. */
-static int read_text(const char *name, char **text)
-{
-    struct stat st;
-    FILE *f = fopen(name, "rb");
-    *text = NULL;
-    if (f == NULL || fstat(fileno(f), &st) != 0) {
-        const int why = errno;
-        if (f != NULL)
-            (void)fclose(f);
-        return sim_refuse(name, 0, "cannot be read: %s", strerror(why));
-    }
-    *text = sim_alloc((size_t)st.st_size + 1, 1);
-    const int whole = fread(*text, 1, (size_t)st.st_size, f) == (size_t)st.st_size;
-    (void)fclose(f);
-    return whole ? SIM_OK : sim_refuse(name, 0, "cannot be read to its end");
-}
-
 /* The word whose @name@ stands at p; NULL: none. */
 static const struct sim_word *word_at(const char *p, const struct sim_word *word, size_t n)
 {
@@ -85,13 +68,14 @@ static const struct sim_word *word_at(const char *p, const struct sim_word *word
 
 int sim_template_write(const char *from, const char *to, const struct sim_word *word, size_t n)
 {
-    char *text;
+    uint8_t *text;
+    size_t bytes;
     struct sim_output out;
-    int status = read_text(from, &text);
+    int status = sim_file_read(from, &text, &bytes);
     if (status == SIM_OK)
         status = sim_output_open(&out, to);
     if (status == SIM_OK) {
-        for (const char *p = text; *p != '\0'; p++) {
+        for (const char *p = (const char *)text; *p != '\0'; p++) {
             const struct sim_word *found = word_at(p, word, n);
             if (found != NULL) {
                 (void)fputs(found->text, out.file);

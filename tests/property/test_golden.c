@@ -14,20 +14,10 @@
 
 #include "fast_lists.h"
 #include "frame.h"
+#include "frame_sum.h"
 #include "scenes.h"
 
 #define FILE_NAME "tests/records/scenes.txt" /* NAME FRAME BITS PIXELS KEYS, a line; from the project's folder */
-
-/* FNV-1a, 64 bits, most significant byte first. */
-static uint64_t sum_of(const uint16_t *at, size_t n)
-{
-    uint64_t sum = 0xcbf29ce484222325u;
-    for (size_t i = 0; i < n; i++) {
-        sum = (sum ^ at[i] >> 8) * 0x100000001b3u;
-        sum = (sum ^ (at[i] & 255u)) * 0x100000001b3u;
-    }
-    return sum;
-}
 
 static const struct demo *demo_of(const char *name)
 {
@@ -59,7 +49,7 @@ static void scenes_on_record(void **state)
             c.fast = lists[k];
             assert_int_equal(sim_frame_render(&frame, &f.scene, &f.camera, &c, NULL), ZS_OK);
             const size_t n = (size_t)d->width * d->height;
-            if (sum_of(frame.rgb565, n) != pixels || sum_of(frame.key, n) != keys) {
+            if (frame_sum(frame.rgb565, n) != pixels || frame_sum(frame.key, n) != keys) {
                 print_message("%s, frame %u, %u sub-pixel bits, %s: not as on record\n", name, number, bits,
                               k == 0 ? "the core" : k == 1 ? "its accelerators" : "all accelerators");
                 wrong++;

@@ -15,21 +15,10 @@
 #include <cmocka.h>
 
 #include "fast_lists.h"
-#include "frame.h"
-#include "pieces.h"
+#include "frame_sum.h"
+#include "piece_frame.h"
 
 #define FILE_NAME "tests/records/pieces.txt" /* NAME FRAME BITS PIXELS KEYS, a line; from the project's folder */
-
-/* FNV-1a, 64 bits, most significant byte first. */
-static uint64_t sum_of(const uint16_t *at, size_t n)
-{
-    uint64_t sum = 0xcbf29ce484222325u;
-    for (size_t i = 0; i < n; i++) {
-        sum = (sum ^ at[i] >> 8) * 0x100000001b3u;
-        sum = (sum ^ (at[i] & 255u)) * 0x100000001b3u;
-    }
-    return sum;
-}
 
 static const struct piece *piece_of(const char *name)
 {
@@ -39,26 +28,11 @@ static const struct piece *piece_of(const char *name)
     return NULL;
 }
 
-struct posed {
-    const struct piece *piece;
-    struct demo_frame f;
-};
-
-static int render(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
+static void draw(struct sim_frame *frame, const struct piece *piece, uint32_t t, const struct zs_config *c)
 {
-    static struct zs_pass_memory memory[PIECE_PASSES_MAX];
-    const struct posed *p = ctx;
-    return p->piece->n_passes ? zs_render_passes(r, p->piece->pass, memory, p->piece->n_passes, sink)
-                              : zs_render(r, &p->f.scene, &p->f.camera, sink);
-}
-
-static void draw(struct sim_frame *frame, const struct piece *piece, uint32_t t, struct zs_config *c)
-{
-    static struct posed p;
-    const struct sim_drawing drawing = { render, &p, c->width, c->height, 0 };
-    p.piece = piece;
-    piece->demo.pose(&p.f, t, c->width, c->height);
-    assert_int_equal(sim_frame_render_by(frame, &drawing, c, NULL, NULL), ZS_OK);
+    static struct demo_frame f;
+    piece->demo.pose(&f, t, c->width, c->height);
+    assert_int_equal(sim_piece_render(frame, piece, &f, c, NULL, NULL), ZS_OK);
 }
 
 static void config_of(struct zs_config *c, const struct piece *piece, uint16_t w, uint16_t h)
@@ -95,7 +69,7 @@ static void pieces_on_record(void **state)
             c.fast = lists[k];
             draw(&frame, piece, number, &c);
             const size_t n = (size_t)c.width * c.height;
-            if (sum_of(frame.rgb565, n) != pixels || sum_of(frame.key, n) != keys) {
+            if (frame_sum(frame.rgb565, n) != pixels || frame_sum(frame.key, n) != keys) {
                 print_message("%s, frame %u, %u sub-pixel bits, strips of %u rows: not as on record\n", name, number,
                               bits, (unsigned)c.strip_h);
                 wrong++;

@@ -63,13 +63,37 @@ project() { # DIR ARGUMENTS...
 }
 for board in pico stm32f405 lm3s6965 host linux; do
     begin "new_$board"
-    z new box.obj --out "$board" --board $board --shade flat
+    z new --shade flat box.obj --board=$board --out "$board"
     [ "$status" = 0 ] || wrong "$(said)"
+    grep -q '^/\* box.obj turns' "$board/main.c" || wrong "main.c begins with $(head -1 "$board/main.c")"
     grep -rlE '@[A-Z_]+@' $board --include='*' --exclude-dir=zstrip >words && wrong "words are left: $(cat words)"
     [ $board = host ] || project $board image || wrong "$(tail -3 made.txt)"
     project $board test BOARD=host || wrong "$(tail -3 made.txt)"
     [ "$(grep -c '^ok ' made.txt)" = 3 ] || wrong "its test: $(tail -3 made.txt)"
 done
+
+# Materials that are transparent and that shine: effects are linked, the panes are seen through
+cat >panes.mtl <<'END'
+newmtl glass
+Kd 0.2 0.5 0.9
+d 0.4
+newmtl shiny
+Kd 0.8 0.3 0.2
+Ks 0.9 0.9 0.9
+Ns 40
+END
+{ echo 'mtllib panes.mtl'; sed '/^f 1 2 6 5/i usemtl shiny' box.obj | sed '0,/^f /s//usemtl glass\nf /'; } >panes.obj
+begin new_of_materials
+z new panes.obj --out panes
+[ "$status" = 0 ] || wrong "$(said)"
+for board in pico host; do
+    project panes image BOARD=$board || wrong "$board: $(tail -3 made.txt)"
+done
+project panes test BOARD=host || wrong "$(tail -3 made.txt)"
+sed -i 's/^d 0.4$/d 1/' panes.mtl
+z new panes.obj --out opaque
+project opaque test BOARD=host || wrong "$(tail -3 made.txt)"
+cmp -s panes/build/host/test_1.bin opaque/build/host/test_1.bin && wrong 'glass is as opaque as what is not'
 
 begin new_draws_in_the_emulator_as_on_the_host
 if [ -d "$build/pico/node_modules" ]; then

@@ -22,6 +22,13 @@ unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 . tests/lib/positional.sh
 designated_headers "$out/headers"
 find . -name README.md -not -path './.git/*' -not -path '*/build/*' | sed 's/^..//' | sort >"$out/readmes"
+if command -v ccache >/dev/null; then
+    REAL_GCC=$(command -v gcc)
+    mkdir -p "$out/bin"
+    cp tests/tools/gcc_by_file.sh "$out/bin/gcc"
+    chmod +x "$out/bin/gcc"
+    export REAL_GCC PATH="$out/bin:$PATH"
+fi
 section() { # README HEADING
     awk -v want="## $2" '/^## / { in_it = $0 == want } in_it' "$1"
 }

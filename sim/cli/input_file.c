@@ -1,0 +1,35 @@
+/* Files read whole.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "input_file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "sim.h"
+
+int sim_file_read(const char *name, uint8_t **bytes, size_t *n)
+{
+    struct stat st;
+    FILE *f = fopen(name, "rb");
+    *bytes = NULL;
+    if (f == NULL || fstat(fileno(f), &st) != 0) {
+        const int why = errno;
+        if (f != NULL)
+            (void)fclose(f);
+        return sim_refuse(name, 0, "cannot be read: %s", strerror(why));
+    }
+    *n = S_ISREG(st.st_mode) ? (size_t)st.st_size : 0;
+    *bytes = sim_alloc(*n + 1, 1);
+    const int whole = S_ISREG(st.st_mode) && fread(*bytes, 1, *n, f) == *n;
+    (void)fclose(f);
+    if (whole)
+        return SIM_OK;
+    free(*bytes);
+    *bytes = NULL;
+    return sim_refuse(name, 0, "cannot be read to its end");
+}
