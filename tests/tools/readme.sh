@@ -23,7 +23,7 @@ unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 designated_headers "$out/headers"
 find . -name README.md -not -path './.git/*' -not -path '*/build/*' | sed 's/^..//' | sort >"$out/readmes"
 if command -v ccache >/dev/null; then
-    REAL_GCC=$(command -v gcc)
+    REAL_GCC=$(PATH=$(echo "$PATH" | tr ':' '\n' | grep -v ccache | paste -sd :) && command -v gcc) # not ccache itself
     mkdir -p "$out/bin"
     cp tests/tools/gcc_by_file.sh "$out/bin/gcc"
     chmod +x "$out/bin/gcc"
