@@ -86,8 +86,8 @@ endif
 endif
 
 # What names no scene is compiled once, the rest once a scene
-# method/, effect/, overlay/ and hal/panel/ are compiled where the program's own sources, or headers of their names, name
-# something of them
+# method/, effect/, overlay/ and hal/panel/ are compiled where the program's own sources, or headers of their names,
+# name something of them
 NAMING = $(APP_SRC) $(wildcard $(APP_SRC:.c=.h))
 METHODS = $(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
 EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' $(NAMING))
