@@ -27,6 +27,7 @@ struct budget_request {
     int has_tris, has_verts, has_strip, has_core, has_mhz, has_cpi, has_buffer, has_scene_tris, has_scene_verts;
     int state, textbook, csv, help; /* flags */
     int quiet;                      /* flag: nothing is said of materials that count as others */
+    struct sim_kept_scene *kept;    /* of the model, in views that are asked for in turn; NULL: for this one alone */
     int methods, effects;           /* flags */
     long ram;                       /* --ram: bytes for --methods */
 };

@@ -183,31 +183,33 @@ int budget_model(struct budget *b, const struct budget_request *rq, const struct
 {
     struct sim_options o = rq->o;
     struct sim_view view;
-    struct sim_scene scene = { 0 };
+    struct sim_kept_scene own = { 0 }, *kept = rq->kept != NULL ? rq->kept : &own;
     memset(b, 0, sizeof *b);
     b->method = &sim_methods[rq->o.method];
     int status = sim_view_plan(&view, &o, model);
     if (status == SIM_OK)
-        status = sim_scene_build(&scene, model, &view, &o);
-    const uint32_t data = (uint32_t)scene.data_bytes;
-    if (status == SIM_OK && has_effects(&scene.scene)) {
+        status = sim_kept_take(kept, model, &view, &o);
+    const uint32_t data = (uint32_t)kept->scene.data_bytes;
+    if (status == SIM_OK && has_effects(&kept->scene.scene)) {
         if (!rq->quiet)
             (void)fprintf(stderr,
                           "%s: %s: materials with transparency, highlights or emission count as plain ones, but for "
                           "their bytes\n",
                           sim_program, o.model);
-        o.opaque = 1;
-        sim_scene_free(&scene);
-        status = sim_scene_build(&scene, model, &view, &o);
+        o.opaque = 1; /* another scene */
+        sim_kept_free(&own);
+        kept = &own;
+        status = sim_kept_take(kept, model, &view, &o);
     }
     if (status == SIM_OK) {
-        set_config(b, rq, (uint16_t)o.size[0], (uint16_t)o.size[1], sim_scene_varyings(&scene.scene), mapping(rq));
+        set_config(b, rq, (uint16_t)o.size[0], (uint16_t)o.size[1], sim_scene_varyings(&kept->scene.scene),
+                   mapping(rq));
         if (view.orthographic)
             b->config.depth = &zs_depth_linear;
-        status = count_scene(b, rq, o.model, &scene.scene, &scene.camera);
+        status = count_scene(b, rq, o.model, &kept->scene.scene, &kept->scene.camera);
         b->data = data;
     }
-    sim_scene_free(&scene);
+    sim_kept_free(&own);
     return status;
 }
 

@@ -41,7 +41,8 @@ struct job {
     struct sim_options options;
     struct sim_model model;
     struct sim_view view;
-    struct sim_scene scene;
+    struct sim_scene *scene; /* kept->scene */
+    struct sim_kept_scene own, *kept;
     struct sim_styled styled; /* with --style */
     struct sim_effect_scene effect; /* with options of effects */
     const struct zs_scene *drawn; /* one of both */
@@ -89,18 +90,18 @@ static void set_config(struct job *job)
         [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
         [SIM_DEPTH_E5M11] = &zs_depth_e5m11
     };
-    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], sim_scene_varyings(&job->scene.scene));
+    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], sim_scene_varyings(&job->scene->scene));
     c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
     c->max_tris = pool_size(o->tris, clips ? n * PIECES : n, 1);
-    c->max_verts = pool_size(o->verts, job->scene.n_verts + (clips ? n * NEW_VERTS : 0), 3);
+    c->max_verts = pool_size(o->verts, job->scene->n_verts + (clips ? n * NEW_VERTS : 0), 3);
     c->buffers = (uint8_t)o->buffers;
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;
     c->fast = o->fast.list;
     c->depth = depths[sim_depth_of(o, &job->view)];
     sim_method_apply(c, &sim_methods[o->method]);
-    if (sim_scene_method(&job->scene.scene) != NULL) {
-        c->method = sim_scene_method(&job->scene.scene);
+    if (sim_scene_method(&job->scene->scene) != NULL) {
+        c->method = sim_scene_method(&job->scene->scene);
         c->max_tris = c->max_tris < 2 ? 2 : c->max_tris; /* its least pools */
         c->max_verts = c->max_verts < 6 ? 6 : c->max_verts;
     }
@@ -109,7 +110,7 @@ static void set_config(struct job *job)
     /* a line or point is two triangles and four vertices; clipped, up to eight triangles of their own vertices */
     c->max_tris = pool_size(o->tris, (uint64_t)c->max_tris + (uint64_t)job->styled.n_lines * (clips ? 8u : 2u), 1);
     c->max_verts = pool_size(
-        o->verts, (uint64_t)c->max_verts + job->scene.n_verts + (uint64_t)job->styled.n_lines * (clips ? 24u : 4u), 3);
+        o->verts, (uint64_t)c->max_verts + job->scene->n_verts + (uint64_t)job->styled.n_lines * (clips ? 24u : 4u), 3);
     if (o->style == SIM_STYLE_HIDDEN_LINE && o->depth == SIM_DEPTH_DEFAULT && o->projection == ZS_PERSPECTIVE)
         c->depth = &zs_depth_recip; /* the bias of faces follows its slopes */
 }
@@ -137,13 +138,13 @@ static int draw_strips(struct job *job)
     const int err = sim_effects_any(&job->options.effects)
         ? sim_effect_draw(&job->effect, &job->frame, &job->config, "drawing", wish->name != NULL ? &sink : NULL)
         : job->options.threads > 0
-        ? sim_frame_render_threads(&job->frame, job->drawn, &job->scene.camera, &job->config,
+        ? sim_frame_render_threads(&job->frame, job->drawn, &job->scene->camera, &job->config,
                                    (uint32_t)job->options.threads, &job->time)
-        : sim_frame_render_to(&job->frame, job->drawn, &job->scene.camera, &job->config, "drawing",
+        : sim_frame_render_to(&job->frame, job->drawn, &job->scene->camera, &job->config, "drawing",
                               wish->name != NULL ? &sink : NULL);
     if (err != ZS_OK && job->panel.err == HAL_ERR_NONE) {
         if (job->options.explain)
-            (void)sim_explain(job->options.model, job->drawn, &job->scene.camera, &job->config, job->scene.unit);
+            (void)sim_explain(job->options.model, job->drawn, &job->scene->camera, &job->config, job->scene->unit);
         return refuse_frame(job, err);
     }
     return wish->name != NULL ? sim_panel_check(&job->panel, wish, job->options.model) : SIM_OK;
@@ -157,17 +158,19 @@ static void explain(const struct job *job)
     for (const size_t n = (size_t)f->width * f->height; i < n && f->rgb565[i] == job->drawn->background;)
         i++;
     if (job->options.explain || (i == (size_t)f->width * f->height && isatty(STDERR_FILENO)))
-        (void)sim_explain(job->options.model, job->drawn, &job->scene.camera, &job->config, job->scene.unit);
+        (void)sim_explain(job->options.model, job->drawn, &job->scene->camera, &job->config, job->scene->unit);
 }
 
 static int draw_frame(struct job *job)
 {
     const struct sim_options *o = &job->options;
     const size_t pixels = (size_t)o->size[0] * (size_t)o->size[1];
-    int status = sim_scene_build(&job->scene, &job->model, &job->view, o);
+    struct sim_kept_scene *kept = job->kept != NULL ? job->kept : &job->own;
+    int status = sim_kept_take(kept, &job->model, &job->view, o);
+    job->scene = &kept->scene;
     if (status != SIM_OK)
         return status;
-    job->drawn = &job->scene.scene;
+    job->drawn = &job->scene->scene;
     if (o->style != SIM_STYLE_SOLID) {
         static const struct zs_rgb white = ZS_RGB(0xffffff);
         status = sim_styled_make(&job->styled, job->drawn, (enum sim_style)o->style, o->has_color ? o->color : white,
@@ -177,7 +180,7 @@ static int draw_frame(struct job *job)
         job->drawn = &job->styled.scene;
     }
     if (sim_effects_any(&o->effects)) {
-        status = sim_effect_make(&job->effect, &job->model, &job->scene, &job->view, o);
+        status = sim_effect_make(&job->effect, &job->model, job->scene, &job->view, o);
         if (status != SIM_OK)
             return status;
         job->drawn = &job->effect.scene;
@@ -190,18 +193,18 @@ static int draw_frame(struct job *job)
     int err = ZS_OK;
     if (o->id_out != NULL || o->compare || job->frame.no_keys) {
         job->id = sim_alloc(pixels, sizeof *job->id);
-        err = sim_frame_ids(job->id, &job->scene.scene, &job->scene.camera, &job->config);
-        sim_scene_file_ids(job->id, pixels, &job->scene);
+        err = sim_frame_ids(job->id, &job->scene->scene, &job->scene->camera, &job->config);
+        sim_scene_file_ids(job->id, pixels, job->scene);
         if (err == ZS_OK && job->frame.no_keys)
             sim_frame_cover(&job->frame, job->id);
     }
     if (err == ZS_OK && o->compare && sim_options_textured(o)) {
         job->texel = sim_alloc(pixels, sizeof *job->texel);
-        err = sim_frame_texels(job->texel, &job->scene.scene, &job->scene.camera, &job->config);
+        err = sim_frame_texels(job->texel, &job->scene->scene, &job->scene->camera, &job->config);
     }
     if (err == ZS_OK && o->show != SIM_SHOW_FRAME)
-        err = sim_show_draw(&job->shown, &job->show_sum, o->show, &job->scene.scene, &job->scene.camera, &job->config,
-                            job->scene.unit);
+        err = sim_show_draw(&job->shown, &job->show_sum, o->show, &job->scene->scene, &job->scene->camera, &job->config,
+                            job->scene->unit);
     return err == ZS_OK ? SIM_OK : refuse_frame(job, err);
 }
 
@@ -333,14 +336,14 @@ static void write_stats(FILE *f, const struct job *job)
     stats_textures(&json, &job->model);
     if (!o->reference) {
         sim_json_number(&json, "strip_rows", job->config.strip_h);
-        sim_json_number(&json, "parts", (double)job->scene.n_parts);
-        sim_json_number(&json, "vertices_in", (double)job->scene.n_verts);
-        sim_json_number(&json, "quantisation_step", job->scene.step);
-        sim_json_number(&json, "quantisation_error", job->scene.error);
-        sim_json_number(&json, "world_unit", job->scene.unit);
-        sim_json_number(&json, "uv_bits_least", job->scene.uv_bits_least);
-        sim_json_number(&json, "uv_error_texels", job->scene.uv_error);
-        sim_json_number(&json, "texture_psnr_db", fmin(job->scene.psnr_db, 999.0));
+        sim_json_number(&json, "parts", (double)job->scene->n_parts);
+        sim_json_number(&json, "vertices_in", (double)job->scene->n_verts);
+        sim_json_number(&json, "quantisation_step", job->scene->step);
+        sim_json_number(&json, "quantisation_error", job->scene->error);
+        sim_json_number(&json, "world_unit", job->scene->unit);
+        sim_json_number(&json, "uv_bits_least", job->scene->uv_bits_least);
+        sim_json_number(&json, "uv_error_texels", job->scene->uv_error);
+        sim_json_number(&json, "texture_psnr_db", fmin(job->scene->psnr_db, 999.0));
     }
     if (o->panel.name != NULL)
         stats_panel(&json, job);
@@ -479,17 +482,19 @@ static void job_free(struct job *job)
     sim_panel_free(&job->panel);
     sim_styled_free(&job->styled);
     sim_effect_free(&job->effect);
-    sim_scene_free(&job->scene);
+    sim_kept_free(&job->own);
     sim_model_free(&job->model);
     free(job);
 }
 
-int sim_render_model(struct sim_picture *seen, const struct sim_model *model, const struct sim_options *o)
+int sim_render_model(struct sim_picture *seen, struct sim_kept_scene *kept, const struct sim_model *model,
+                     const struct sim_options *o)
 {
     static const struct sim_model none;
     struct job *job = sim_alloc(1, sizeof *job);
     job->options = *o;
     job->model = *model;
+    job->kept = kept;
     int status = sim_view_plan(&job->view, o, model);
     if (status == SIM_OK)
         status = draw_frame(job);
@@ -504,7 +509,7 @@ static void say_losses(const struct job *job)
 {
     char lead[4200];
     (void)snprintf(lead, sizeof lead, "%s: %s: ", sim_program, job->options.model);
-    sim_losses_print(stderr, lead, job->options.reference ? job->model.lost : job->scene.lost);
+    sim_losses_print(stderr, lead, job->scene == NULL ? job->model.lost : job->scene->lost);
 }
 
 int sim_render(int argc, char **argv)

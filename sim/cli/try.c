@@ -132,9 +132,11 @@ struct figures {
 static int count(struct figures *f, const struct sim_options *o, const struct sim_model *model)
 {
     static struct budget_request rq;
+    struct sim_kept_scene kept = { 0 };
     int status = SIM_OK;
     memset(f, 0, sizeof *f);
     budget_defaults(&rq);
+    rq.kept = &kept;
     rq.quiet = 1; /* print() says what materials lose */
     for (uint32_t k = 0; status == SIM_OK && k < PROBES; k++) {
         struct budget b;
@@ -142,7 +144,7 @@ static int count(struct figures *f, const struct sim_options *o, const struct si
         if (status == SIM_OK)
             status = budget_model(&b, &rq, model);
         if (status != SIM_OK)
-            return status;
+            break;
         budget_ram(&b.ram, &rq, &b.config, b.n_instances);
         for (int c = 0; c < BUDGET_CPUS; c++)
             budget_flash(&b.flash[c], &rq, &b, (enum budget_cpu)c);
@@ -155,6 +157,7 @@ static int count(struct figures *f, const struct sim_options *o, const struct si
         }
         sim_progress("counting", k, PROBES);
     }
+    sim_kept_free(&kept);
     return status;
 }
 

@@ -53,6 +53,7 @@ int sim_turntable_draw(struct sim_moving *m, const struct sim_options *o,
                        const struct sim_model *model, uint32_t n)
 {
     uint8_t **frame = sim_alloc(n, sizeof *frame);
+    struct sim_kept_scene kept = { 0 };
     int status = SIM_OK;
     *m = (struct sim_moving){ 0, 0, n, (SIM_TURNTABLE_MS + n / 2u) / n, frame };
     m->delay_ms = m->delay_ms < 10 ? 10 : m->delay_ms;
@@ -61,7 +62,7 @@ int sim_turntable_draw(struct sim_moving *m, const struct sim_options *o,
         struct sim_picture seen;
         status = sim_turntable_view(&view, o, model, k, n);
         if (status == SIM_OK)
-            status = sim_render_model(&seen, model, &view);
+            status = sim_render_model(&seen, &kept, model, &view);
         if (status != SIM_OK)
             break;
         m->width = seen.width;
@@ -70,6 +71,7 @@ int sim_turntable_draw(struct sim_moving *m, const struct sim_options *o,
         seen.rgb = NULL;
         sim_picture_free(&seen);
     }
+    sim_kept_free(&kept);
     return status;
 }
 

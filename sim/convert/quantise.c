@@ -705,8 +705,24 @@ static int build_file(struct sim_scene *out, const struct sim_model *model, cons
         return status;
     build_materials(out, model, o);
     memcpy(out->lost, model->lost, sizeof out->lost);
+    build_light(out, view, o);
     struct build b = { .scene = out, .model = model, .grid = &grid, .options = o, .scale = scale / 65536.0 };
     return build_parts(&b);
+}
+
+int sim_scene_aim(struct sim_scene *scene, const struct sim_model *model, const struct sim_view *view,
+                  const struct sim_options *o)
+{
+    uint32_t scale;
+    int status = choose_unit(scene, &scale, model, view, &o->effects, scene->made_unit);
+    if (status == SIM_OK)
+        status = build_camera(scene, view, o, scene->made_unit, model->file);
+    if (status != SIM_OK)
+        return status;
+    for (uint32_t i = 0; i < scene->n_parts; i++)
+        scene->part[i].mesh.scale = scale;
+    build_light(scene, view, o);
+    return SIM_OK;
 }
 
 static int build_converted(struct sim_scene *out, const struct sim_model *model, const struct sim_view *view,
@@ -714,17 +730,15 @@ static int build_converted(struct sim_scene *out, const struct sim_model *model,
 {
     struct sim_convert_options wish;
     struct sim_converted made;
-    uint32_t scale;
     sim_scene_wish(&wish, o);
     int status = sim_converted_make(&made, model, &wish);
     memcpy(out->origin, made.steps.origin, sizeof out->origin);
     out->step = made.steps.step / 256.0;
+    out->made_unit = 1.0 / made.steps.unit;
     if (status == SIM_OK)
-        status = choose_unit(out, &scale, model, view, &o->effects, 1.0 / made.steps.unit);
+        sim_scene_parts(out, &made, o);
     if (status == SIM_OK)
-        status = build_camera(out, view, o, 1.0 / made.steps.unit, model->file);
-    if (status == SIM_OK)
-        sim_scene_parts(out, &made, o, scale);
+        status = sim_scene_aim(out, model, view, o);
     sim_converted_free(&made);
     return status;
 }
@@ -739,7 +753,6 @@ int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
         sim_scene_free(out);
         return status;
     }
-    build_light(out, view, o);
     build_instances(out);
     return SIM_OK;
 }
@@ -781,4 +794,21 @@ void sim_scene_free(struct sim_scene *scene)
              scene->source, scene->blend,
              scene->lit, scene->shine);
     memset(scene, 0, sizeof *scene);
+}
+
+int sim_kept_take(struct sim_kept_scene *kept, const struct sim_model *model, const struct sim_view *view,
+                  const struct sim_options *o)
+{
+    if (kept->is_built && o->mesh == SIM_MESH_CONVERT)
+        return sim_scene_aim(&kept->scene, model, view, o);
+    sim_kept_free(kept);
+    const int status = sim_scene_build(&kept->scene, model, view, o);
+    kept->is_built = status == SIM_OK;
+    return status;
+}
+
+void sim_kept_free(struct sim_kept_scene *kept)
+{
+    sim_scene_free(&kept->scene);
+    kept->is_built = 0;
 }

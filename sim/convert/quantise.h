@@ -54,6 +54,7 @@ struct sim_scene {
     struct sim_lost lost[SIM_LOST_KINDS]; /* of the file */
     size_t data_bytes; /* that firmware keeps, as `zsim convert` writes it; 0 with --mesh file */
     double origin[3], step, unit; /* model units: of n = 0, of 1, and of a world unit */
+    double made_unit;             /* model units: convert's own world unit; 0 with --mesh file */
     double error;                 /* largest |position - its place on the grid|, model units */
     double uv_error;              /* the same of texture coordinates, texels; at most 1/16 */
     uint32_t uv_bits_least;       /* of all textured parts; 0 where there are none */
@@ -64,6 +65,26 @@ struct sim_scene {
  * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_scene_free in either case. */
 int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
                     const struct sim_view *view, const struct sim_options *o);
+
+/* The same scene from another view, which is quick. Not with --mesh file.
+ * o       as it was built with, but for what says the view, light and background
+ * Return  SIM_OK; SIM_REFUSED, said why, and the scene is only good for this or for sim_scene_free. */
+int sim_scene_aim(struct sim_scene *scene, const struct sim_model *model, const struct sim_view *view,
+                  const struct sim_options *o);
+
+/* The scene of a model, kept from one frame to the next, as it takes longer to make than to draw. All zero: none yet.
+ * It points into itself: do not move it. */
+struct sim_kept_scene {
+    struct sim_scene scene;
+    int is_built; /* flag */
+};
+
+/* The scene for this view: the one that is kept, or a new one. Return as sim_scene_build. */
+int sim_kept_take(struct sim_kept_scene *kept, const struct sim_model *model, const struct sim_view *view,
+                  const struct sim_options *o);
+
+/* Before anything changes but what says the view, light and background; and at last. */
+void sim_kept_free(struct sim_kept_scene *kept);
 
 /* The varyings that its shaders need. */
 uint8_t sim_scene_varyings(const struct zs_scene *scene);

@@ -190,7 +190,7 @@ static void number_faces(struct sim_part *part, const struct sim_piece *p)
 }
 
 static void take_part(struct sim_scene *s, struct sim_part *part, struct sim_piece *p,
-                      const struct sim_options *o, int fine, uint32_t scale)
+                      const struct sim_options *o, int fine)
 {
     take_positions(part, p, fine);
     take_arrays(part, p);
@@ -198,7 +198,6 @@ static void take_part(struct sim_scene *s, struct sim_part *part, struct sim_pie
         number_faces(part, p);
     part->material = &s->material[p->paint];
     part->mesh = sim_part_mesh(part, p->n_verts, p->n_tris);
-    part->mesh.scale = scale;
     memcpy(part->mesh.center, p->center, sizeof part->mesh.center);
     part->mesh.radius = p->radius;
     part->mesh.uv_bits = part->uv != NULL ? p->uv_bits : 0;
@@ -207,8 +206,7 @@ static void take_part(struct sim_scene *s, struct sim_part *part, struct sim_pie
         s->uv_bits_least = p->uv_bits;
 }
 
-void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const struct sim_options *o,
-                     uint32_t scale)
+void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const struct sim_options *o)
 {
     const struct sim_pieces *p = &made->pieces;
     struct sim_converted_bytes bytes;
@@ -225,7 +223,7 @@ void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const st
         out->uv_error = fmax(out->uv_error, p->uv_error[i]);
     uint32_t at = 0;
     for (uint32_t i = 0; i < p->n_pieces; i++) {
-        take_part(out, &out->part[i], &p->piece[i], o, made->steps.fine, scale);
+        take_part(out, &out->part[i], &p->piece[i], o, made->steps.fine);
         const uint32_t paint = p->piece[i].paint;
         const enum sim_form form = sim_paint_form(&p->paint[paint]);
         out->part[i].material = form == SIM_FORM_LIT     ? &out->lit[paint].material

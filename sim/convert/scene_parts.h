@@ -16,8 +16,7 @@ void sim_scene_wish(struct sim_convert_options *c, const struct sim_options *o);
 int sim_scene_load(struct sim_model *model, struct sim_options *o);
 
 /* The parts of a scene, its materials and textures from a conversion, whose arrays it takes over.
- * scale   world units to a mesh step, uq16_16 */
-void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const struct sim_options *o,
-                     uint32_t scale);
+ * The scale of its meshes is left to sim_scene_aim. */
+void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const struct sim_options *o);
 
 #endif

@@ -151,7 +151,7 @@ int gallery_effect_draw(struct sim_picture *out, const struct gallery_effect *ef
     make_model(&model, &o);
     struct sim_image sphere = sphere_image();
     o.effects.environment_image = &sphere;
-    status = sim_render_model(out, &model, &o);
+    status = sim_render_model(out, NULL, &model, &o);
     sim_image_free(&sphere);
     sim_model_free(&model);
     return status;
