@@ -1,6 +1,6 @@
 #!/bin/sh
 # Instructions of one frame by function, on a board that QEMU counts (mps2, mps2-m4, mps2-m7, rv32): strips of 24 rows, one
-# pass, as the bench's. Instructions are not cycles.
+# pass, as the bench's. m0: code for Armv6-M on mps2, as there. Instructions are not cycles.
 # Usage: tests/boards/profile.sh BUILD BOARD SCENE [FUNCTION]     FUNCTION: its listing, with how often each line ran
 #
 # SPDX-License-Identifier: MIT
@@ -12,8 +12,14 @@ stem=$out/${board}_$scene
 
 mkdir -p "$out"
 set -- NAME="frame_$scene" APP_SRC=firmware/app/frame.c APP_FLAGS="-DFRAME_DEMO=$scene"
+if [ "$board" = m0 ]; then # QEMU's only M0 has 16 KB of RAM
+    set -- "$@" BOARD_CPU='-mcpu=cortex-m0 -mthumb' OUT="$build/fw/mps2-armv6m"
+    board=mps2
+    elf=$build/fw/mps2-armv6m/frame_$scene.elf
+else
+    elf=$build/fw/$board/frame_$scene.elf
+fi
 image "$board" "$@"
-elf=$build/fw/$board/frame_$scene.elf
 LOG='-display none -monitor none -serial null -semihosting-config enable=on,target=native -d in_asm,exec,nochain -D /dev/stdout -kernel'
 {
     make -s -f firmware/boards/firmware.mk BOARD="$board" B="$build" "$@" QEMU_COUNTS="$LOG" run

@@ -28,6 +28,15 @@ static inline int wide_cross_right(uint32_t a, uint32_t b)
            zs_cross_short((int32_t)a, -16384, (int32_t)b, 16384) == (ia + ib) * -16384;
 }
 
+/* A plane's change over sub-pixels, to its ends. */
+static inline int wide_step_right(uint32_t a, uint32_t b)
+{
+    volatile int32_t g[2] = { (int32_t)a, (int32_t)b }, at[2] = { (int32_t)(b ^ a) >> 9, (int32_t)(b + a * 3u) >> 9 };
+    const int64_t sum = (int64_t)g[0] * at[0] + (int64_t)g[1] * at[1], ends = ((int64_t)g[0] - g[1]) * (1 << 22);
+    return zs_plane_step(g[0], at[0], g[1], at[1]) == (uint32_t)((sum + 128) >> 8) &&
+           zs_plane_step(g[0], 1 << 22, g[1], -(1 << 22)) == (uint32_t)((ends + 128) >> 8);
+}
+
 /* A row of an affine map as its comment has it, its words taken from the bits of a and b within their bounds. */
 #if ZS_ROW_WIDE
 static inline int wide_row_right(uint32_t a, uint32_t b)
@@ -174,7 +183,7 @@ static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
         wrong[0] = a;
         wrong[1] = b;
         if (!wide_pair_right(a, b) || !wide_cross_right(a, b) || !wide_row_right(a, b) ||
-            !wide_two_right(a, b) || !wide_area_right(a, b) || !wide_rows_right(a, b) ||
+            !wide_two_right(a, b) || !wide_area_right(a, b) || !wide_rows_right(a, b) || !wide_step_right(a, b) ||
             (k % 16u == 0 && !wide_halves_right(a, b)) || (a && !wide_clz_right(a)))
             return 0;
     }

@@ -61,9 +61,8 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
 /* Return 1 if width + height <= 256 px. */
 static int is_small(const struct zs_geom *g)
 {
-    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) -
-                          zs_min32(zs_min32(g->dx1, g->dx2), 0);
-    return width + zs_max32(g->dy1, g->dy2) <= SMALL_EXTENT; /* the first vertex is the top one */
+    return (int32_t)zs_range32(g->dx1, g->dx2) + zs_max32(g->dy1, g->dy2) <=
+           SMALL_EXTENT; /* the first vertex is the top one */
 }
 
 void zs_plane_geom(struct zs_job *job)
@@ -206,9 +205,7 @@ static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
     const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax,
                   ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
     ZS_FACT(gx >= -(1 << 30) && gx <= 1 << 30 && gy >= -(1 << 30) && gy <= 1 << 30);
-    const int32_t low = (gx & 255) * ax + (gy & 255) * ay +
-                        128; /* (gx ax + gy ay + 128) / 256, the low 8 bits apart */
-    out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
+    out->base += zs_plane_step(gx, ax, gy, ay);
 }
 
 /* The method `large`, for any triangle and any values: compute with 24 more bits, then round. On

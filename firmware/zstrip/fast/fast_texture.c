@@ -45,62 +45,19 @@ static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job,
  * For repeated textures on triangles whose keys alone prove that affine coordinates are exact
  * enough. The results equal those of shade/texture.c, bit for bit. */
 
-/* Return v * rcp + more, rcp >= 2^31, with one signed product: rcp - 2^32 fits 32 bits with a sign,
- * and v * 2^32 is added. */
-static inline int64_t times_rcp(int32_t v, uint32_t rcp, uint32_t more)
+/* Compute coordinate k's plane from column 0 of the first row. Return not 0 if it is too steep. */
+ZS_ALWAYS_INLINE int32_t plane(const struct zs_small *s, const struct zs_coordinate *c,
+                               int32_t shift, uint32_t uv_bits, uint32_t log2,
+                               struct zs_texel_rows *w, int k)
 {
-    return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) +
-           ((int64_t)v * ((int64_t)1 << 32) + more);
-}
-
-/* zs_texture_gradient, with its common case inlined. Sets *bad to not 0 if the gradient is too
- * steep. */
-ZS_ALWAYS_INLINE uint32_t gradient(uint32_t rcp, int32_t n, int32_t shift, int32_t *bad)
-{
-    if (shift > 31) {
-        int ok = 1;
-        const uint32_t g = zs_texture_gradient(rcp, n, shift, &ok);
-        *bad |= !ok;
-        return g;
-    }
-    const int64_t q = times_rcp(n, rcp, 1u << (shift - 1));
-    const int32_t hi = (int32_t)(q >> 32);
-    const uint32_t low = (uint32_t)hi << (32 - shift) | (uint32_t)q >> shift;
-    *bad |= hi >> shift ^ (int32_t)low >> 31;
-    return low;
-}
-
-/* A texture coordinate, 2^-uv_bits repeats: a of the first vertex, unsigned; d1 and d2, the
- * differences of the others from it; range, the largest minus the least. */
-struct coordinate {
-    int32_t a, d1, d2;
-    uint32_t range;
-};
-
-ZS_ALWAYS_INLINE void coordinate(struct coordinate *out, int32_t a, int32_t b, int32_t c)
-{
-    const int32_t d1 = b - a, d2 = c - a;
-    out->a = a;
-    out->d1 = d1;
-    out->d2 = d2;
-    out->range = (uint32_t)(zs_max32(zs_max32(d1, d2), 0) - zs_min32(zs_min32(d1, d2), 0));
-}
-
-/* Compute the gradients of a coordinate, and its value at column 0 of the first row, modulo one
- * repeat. The 32768 that make coordinates unsigned are whole repeats. Return not 0 if a gradient is
- * too steep. */
-ZS_ALWAYS_INLINE int32_t plane(const struct zs_small *s, const struct coordinate *c, int32_t shift,
-                               uint32_t uv_bits, uint32_t log2, struct zs_texel_rows *w, int k)
-{
-    int32_t bad = 0;
-    const uint32_t gx = gradient(s->rcp, c->d1 * s->dy2 - c->d2 * s->dy1, shift, &bad);
-    const uint32_t gy = gradient(s->rcp, c->d2 * s->dx1 - c->d1 * s->dx2, shift, &bad);
-    const int64_t from = zs_mul_ss((int32_t)gy, s->off) - zs_mul_ss((int32_t)gx, s->x) +
-                         128; /* |.| < 2^46.2 */
-    w->right[k] = gx;
-    w->down[k] = gy;
-    w->at[k] = ((uint32_t)c->a << 1 << (31u - uv_bits)) +
-               (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2)) + (uint32_t)(from >> 8);
+    struct zs_plane p;
+    const struct zs_geom g = {
+        .dx1 = s->dx1, .dx2 = s->dx2, .dy1 = s->dy1, .dy2 = s->dy2, .rcp = s->rcp
+    };
+    const int32_t bad = zs_texture_plane(&p, c, &g, shift, -s->x, s->off, uv_bits, log2);
+    w->right[k] = p.gx;
+    w->down[k] = p.gy;
+    w->at[k] = p.base;
     return bad;
 }
 
@@ -116,9 +73,7 @@ static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s,
         return 1;
     }
     const int32_t d1 = b[2] - a[2], d2 = c[2] - a[2]; /* |.| < 2^16 */
-    const uint32_t range = (uint32_t)(zs_max32(zs_max32(d1, d2), 0) -
-                                      zs_min32(zs_min32(d1, d2), 0));
-    if (!zs_texture_light_affine(range, change, job->r->view.key_slow))
+    if (!zs_texture_light_affine(zs_range32(d1, d2), change, job->r->view.key_slow))
         return 0;
     const int64_t nx = zs_mul_ss(d1, s->dy2) - zs_mul_ss(d2, s->dy1),
                   ny = zs_mul_ss(d1, s->dx2) - zs_mul_ss(d2, s->dx1);
@@ -132,17 +87,6 @@ static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s,
     w->light_right = (uint32_t)gx * 2u;
     w->light_down = 0u - (uint32_t)up * 2u;
     return 1;
-}
-
-/* Return 1 if affine coordinates are exact enough. */
-ZS_ALWAYS_INLINE int is_affine(const struct zs_texture *t, const struct coordinate *u,
-                               const struct coordinate *v, uint32_t uv_bits, uint32_t change,
-                               uint32_t least)
-{
-    const int32_t texels = zs_max32(
-        (int32_t)zs_maxu32(t->log2_w, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(u->range | 1u),
-        (int32_t)zs_maxu32(t->log2_h, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(v->range | 1u));
-    return zs_texture_affine(texels + 32 - (int32_t)uv_bits, change, least);
 }
 
 ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
@@ -168,16 +112,18 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     const uint16_t *const attr = r->attr, *v = job->tri->v;
     const uint16_t *const a = attr + v[0] * varyings, *const b = attr + v[1] * varyings,
                           *const c = attr + v[2] * varyings;
-    struct coordinate cu, cv;
-    coordinate(&cu, a[0], b[0], c[0]);
-    coordinate(&cv, a[1], b[1], c[1]);
-    if ((cu.range | cv.range) >> 14 || !is_affine(t, &cu, &cv, uv_bits, change, view->key_slow) ||
+    struct zs_coordinate cu, cv;
+    zs_texture_coordinate(&cu, a[0], b[0], c[0]);
+    zs_texture_coordinate(&cv, a[1], b[1], c[1]);
+    if ((cu.range | cv.range) >> 14 ||
+        !zs_texture_affine(zs_texture_most(t, &cu, &cv, uv_bits), change, view->key_slow) ||
         !zs_small_keys(&s))
         return 0;
     const enum zs_small_fate fate = zs_small_place(job, &s);
     if (fate != ZS_SMALL_ROWS)
         return (int)fate;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
+    ZS_ANEW(s.x); /* so that -x is one instruction */
     if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) |
                       plane(&s, &cv, shift, uv_bits, log2_h, &w, 2)))
         return 0;

@@ -114,9 +114,11 @@ static inline uint16_t zs_smooth_pack(uint32_t red, uint32_t green, uint32_t blu
 static inline void zs_persp_attrs(const struct zs_job *job, const uint16_t *a[3])
 {
     const struct zs_renderer *r = job->r;
+    const uint16_t *const attr = r->attr, *const v = job->tri->v;
     const uint32_t n = r->config.varyings;
-    for (int k = 0; k < 3; k++)
-        a[k] = &r->attr[job->tri->v[k] * n];
+    a[0] = attr + v[0] * n;
+    a[1] = attr + v[1] * n;
+    a[2] = attr + v[2] * n;
 }
 
 #endif

@@ -98,78 +98,85 @@ static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
            (uv_bits ? (uint32_t)v << (32 - uv_bits) : 0u);
 }
 
-/* A texture coordinate at the vertices of a triangle, relative to the least of the three. */
-struct coordinate {
+ZS_RARE uint32_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift)
+{
+    const int64_t q = zs_times_rcp(n, rcp, shift == 32 ? 0x80000000u : 0);
+    if (shift == 32)
+        return (uint32_t)(q >> 32);
+    return (uint32_t)((((int32_t)(q >> 32) >> (shift - 33)) + 1) >> 1);
+}
+
+#if !ZS_DIVIDES
+uint64_t zs_texture_gradient_call(int32_t n, uint32_t rcp, int32_t shift)
+{
+    return zs_texture_gradient(n, rcp, shift);
+}
+#endif
+
+/* A coordinate relative to the least of the three. */
+struct relative {
     uint32_t above[3]; /* 2^-uv_bits repeats */
     int32_t up;        /* the largest above * 2^up is in [2^15, 2^16), or all are 0 */
-    int32_t texels; /* log2 of the texels that those 16 bits span, at least 128 for each repeat */
 };
 
-static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t uv_bits,
-                       struct coordinate *out)
+static void relative(struct zs_job *job, const struct zs_coordinate *c, int k, uint32_t uv_bits,
+                     struct relative *out)
 {
     struct zs_sampler *s = &job->sampler;
-    const uint32_t log2 = c ? s->texture->log2_h : s->texture->log2_w;
-    const int32_t least = zs_min32(zs_min32(a[0][c], a[1][c]), a[2][c]);
-    uint32_t any = 1;
-    for (int k = 0; k < 3; k++)
-        any |= out->above[k] = (uint32_t)(a[k][c] - least);
-    out->up = zs_clz32(any) - 16; /* 0 .. 15 */
-    s->shift[c] = (int8_t)(17 - out->up - (int32_t)uv_bits);
-    s->base[c] = repeats(least - 32768, uv_bits) + (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2));
-    out->texels = zs_texture_texels(out->up, uv_bits, log2);
+    const uint32_t log2 = k ? s->texture->log2_h : s->texture->log2_w;
+    const int32_t least = zs_min32(zs_min32(c->d1, c->d2), 0);
+    out->above[0] = (uint32_t)-least;
+    out->above[1] = (uint32_t)(c->d1 - least);
+    out->above[2] = (uint32_t)(c->d2 - least);
+    out->up = zs_clz32(c->range | 1u) - 16; /* 0 .. 15 */
+    s->shift[k] = (int8_t)(17 - out->up - (int32_t)uv_bits);
+    s->base[k] = repeats(c->a + least - 32768, uv_bits) +
+                 (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2));
 }
 
-/* affine_plane for small triangles with differences below 2^14; the result is the same. Return 0 if
- * the triangle is not one of these. */
-static int direct_plane(const struct zs_job *job, const struct coordinate *c, uint32_t uv_bits,
-                        uint64_t base, struct zs_plane *out)
+/* affine_planes for what it does not do itself, and for a texture in which values beyond one repeat
+ * matter: relative to the least then. */
+static ZS_NOINLINE void other_plane(struct zs_job *job, const struct zs_coordinate *c, int k,
+                                    uint32_t uv_bits)
 {
-    const struct zs_geom *g = &job->geom;
-    const int32_t shift = g->exp + 23 +
-                          (int32_t)uv_bits; /* 2^8 * 2^(32 - uv_bits) / (2^63 * 2^exp) */
-    if (g->rcp == 0 || c->up < 2 || shift < 1)
-        return 0;
-    const int32_t d1 = (int32_t)(c->above[1] - c->above[0]),
-                  d2 = (int32_t)(c->above[2] - c->above[0]);
-    int ok = 1;
-    const uint32_t gx = zs_texture_gradient(g->rcp, d1 * g->dy2 - d2 * g->dy1, shift,
-                                            &ok); /* |d| <= 2^16 */
-    const uint32_t gy = zs_texture_gradient(g->rcp, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
-    /* (gx ax + gy ay + 128) / 256, floor, modulo 2^32: the low 8 bits of the gradients apart */
-    const int32_t low = (int32_t)(gx & 255u) * g->ax + (int32_t)(gy & 255u) * g->ay + 128;
-    const uint32_t step = zs_wrap_mul((uint32_t)((int32_t)gx >> 8), g->ax) +
-                          zs_wrap_mul((uint32_t)((int32_t)gy >> 8), g->ay) + (uint32_t)(low >> 8);
-    out->base = (uint32_t)base + (uint32_t)repeats((int32_t)c->above[0], uv_bits) + step;
-    out->gx = gx;
-    out->gy = gy;
-    return ok;
-}
-
-/* Compute the gradients of a coordinate in 2^-32 repeats, modulo one repeat; its base is included.
- */
-static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_t uv_bits,
-                         uint64_t base, struct zs_plane *out)
-{
-    if (direct_plane(job, c, uv_bits, base, out))
-        return;
-    const int32_t whole = 32 - (int32_t)uv_bits, most = 13 + c->up; /* 29 bits */
-    const int32_t up = zs_min32(whole, most), later = whole - up;
-    zs_plane32(&job->geom, c->above[0] << up, c->above[1] << up, c->above[2] << up, ZS_PLANE_WIDE,
+    const int wide = job->sampler.wide;
+    struct zs_plane *out = &job->c[k];
+    struct relative r;
+    relative(job, c, k, uv_bits, &r);
+    const int32_t whole = 32 - (int32_t)uv_bits, most = 13 + r.up; /* 29 bits */
+    const int32_t up = wide ? 15 + r.up : zs_min32(whole, most), later = wide ? 0 : whole - up;
+    zs_plane32(&job->geom, r.above[0] << up, r.above[1] << up, r.above[2] << up, ZS_PLANE_WIDE,
                out);
-    out->base = (out->base << later) + (uint32_t)base;
+    out->base = (out->base << later) + (wide ? 0u : (uint32_t)job->sampler.base[k]);
     out->gx <<= later;
     out->gy <<= later;
+    zs_plane_origin(&job->geom, out);
+}
+
+/* Compute the gradients of both coordinates in 2^-32 repeats, modulo one repeat, and their values at
+ * column 0 of row 0. */
+static ZS_NOINLINE void affine_planes(struct zs_job *job, const struct zs_coordinate c[2],
+                                      uint32_t uv_bits)
+{
+    const struct zs_geom *g = &job->geom;
+    const struct zs_texture *t = job->sampler.texture;
+    const int32_t x = ZS_SUBPX_HALF - job->v[0]->x, y = ZS_SUBPX_HALF - job->v[0]->y,
+                  shift = g->exp + 23 +
+                          (int32_t)uv_bits; /* 2^8 * 2^(32 - uv_bits) / (2^63 * 2^exp) */
+    const int direct = !job->sampler.wide && g->rcp && shift >= 1; /* small: |d| <= 2^16 */
+    for (int k = 0; k < 2; k++)
+        if (!direct || c[k].range >> 14 ||
+            zs_texture_plane(&job->c[k], &c[k], g, shift, x, y, uv_bits, k ? t->log2_h : t->log2_w))
+            other_plane(job, &c[k], k, uv_bits);
 }
 
 /* Return 1 if a triangle may be affine, when w changes by `change`, its least value is `least`, and
  * light changes by light_range. */
-static int affine_enough(const struct coordinate c[2], uint32_t light_range, uint32_t change,
-                         uint32_t least)
+ZS_ALWAYS_INLINE int affine_enough(int32_t texels, uint32_t light_range, uint32_t change,
+                                   uint32_t least)
 {
-    return zs_texture_affine(c[0].texels, change, least) &&
-           zs_texture_affine(c[1].texels, change, least) &&
-           zs_texture_light_affine(light_range, change, least);
+    return zs_texture_affine(texels, change, least) &&
+           (!light_range || zs_texture_light_affine(light_range, change, least));
 }
 
 /* Return ceil(log2(2^texels K |W'|)) for an attribute; -128 if the product is 0. */
@@ -204,23 +211,31 @@ static uint32_t third_power(int32_t n)
 }
 
 ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a[3],
-                                                 const struct coordinate c[2], const uint32_t w[3])
+                                                 const struct zs_coordinate c[2], uint32_t uv_bits,
+                                                 const uint32_t w[3])
 {
+    const struct zs_texture *t = job->sampler.texture;
     const int n = job->shader->n_varyings;
-    int32_t need = -128;
+    int32_t need = -128, most = -128;
     zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
     for (int i = 0; i < n; i++) {
         uint32_t un[3], v[3];
+        struct relative r;
+        int32_t texels = LIGHT_LOG2;
+        if (i < 2) {
+            relative(job, &c[i], i, uv_bits, &r);
+            texels = zs_texture_texels(16 - r.up, uv_bits, i ? t->log2_h : t->log2_w);
+            most = zs_max32(most, texels);
+        }
         for (int k = 0; k < 3; k++) {
-            un[k] = i < 2 ? c[i].above[k] << c[i].up : a[k][2]; /* < 2^16 */
+            un[k] = i < 2 ? r.above[k] << r.up : a[k][2]; /* < 2^16 */
             v[k] = zs_umulh(un[k] << 16, w[k]);
         }
         zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[i]);
-        need = zs_max32(need,
-                        bend_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
+        need = zs_max32(need, bend_log2(&job->c[i], &job->w, un, w, texels));
     }
     job->sampler.least_w = third_power(need + 2 * ZS_TEXTURE_GROUP_LOG2);
-    job->sampler.fine = zs_max32(c[0].texels, c[1].texels) > COARSE_LOG2;
+    job->sampler.fine = most > COARSE_LOG2;
     job->sub_log2 = ZS_TEXTURE_GROUP_LOG2;
 }
 
@@ -242,39 +257,29 @@ void zs_texture_start(struct zs_job *job)
     const int lit = job->shader->n_varyings == 3;
     const uint16_t *a[3];
     uint32_t change, least, light_range = 0, light[3];
-    struct coordinate c[2];
+    struct zs_coordinate c[2];
     zs_persp_attrs(job, a);
     job->sampler.texture = t;
     job->sampler.direct = 0;
     job->sampler.wide = t->clamp || !t->log2_w || !t->log2_h;
-    coordinate(job, a, 0, uv_bits, &c[0]);
-    coordinate(job, a, 1, uv_bits, &c[1]);
-    if (lit) {
-        const int32_t lo = zs_min32(zs_min32(a[0][2], a[1][2]), a[2][2]);
-        light_range = (uint32_t)(zs_max32(zs_max32(a[0][2], a[1][2]), a[2][2]) - lo);
-    }
+    for (int i = 0; i < 2; i++)
+        zs_texture_coordinate(&c[i], a[0][i], a[1][i], a[2][i]);
+    const int32_t texels = zs_texture_most(t, &c[0], &c[1], uv_bits);
+    if (lit)
+        light_range = zs_range32(a[1][2] - a[0][2], a[2][2] - a[0][2]);
     if (!zs_persp_slow(job, &change) ||
-        !affine_enough(c, light_range, change, job->r->view.key_slow)) {
+        !affine_enough(texels, light_range, change, job->r->view.key_slow)) {
         uint32_t w[3];
         zs_persp_w(job, w);
         change = zs_persp_change(w, &least);
-        if (!affine_enough(c, light_range, change, least)) {
-            start_groups(job, a, c, w);
+        if (!affine_enough(texels, light_range, change, least)) {
+            start_groups(job, a, c, uv_bits, w);
             return;
         }
     }
     job->sub_log2 = ZS_AFFINE;
     job->sampler.direct = !job->sampler.wide;
-    if (job->sampler.wide) { /* values beyond one repeat matter */
-        for (int i = 0; i < 2; i++)
-            zs_plane32(&job->geom, c[i].above[0] << (15 + c[i].up), c[i].above[1] << (15 + c[i].up),
-                       c[i].above[2] << (15 + c[i].up), ZS_PLANE_WIDE, &job->c[i]);
-    } else {
-        affine_plane(job, &c[0], uv_bits, job->sampler.base[0], &job->c[0]);
-        affine_plane(job, &c[1], uv_bits, job->sampler.base[1], &job->c[1]);
-    }
-    for (int i = 0; i < 2; i++)
-        zs_plane_origin(&job->geom, &job->c[i]);
+    affine_planes(job, c, uv_bits);
     if (!lit)
         return;
     for (int k = 0; k < 3; k++)

@@ -35,11 +35,38 @@ struct zs_texel {
 #define ZS_TEXTURE_FLOOR_LOG2 7u /* the error bound of a smaller texture is that of one with 128
                                     texels: 1/4 of its texels */
 
-/* A difference of coordinates, in 2^-uv_bits repeats, times 2^up is a value of 16 bits. Return log2
- * of the texels that its full range spans, with at least 128 texels for each repeat. */
-static inline int32_t zs_texture_texels(int32_t up, uint32_t uv_bits, uint32_t log2)
+/* A coordinate at the vertices of a triangle, 2^-uv_bits repeats: a of the first one, unsigned; d1
+ * and d2, the differences of the others from it; range, the largest minus the least. */
+struct zs_coordinate {
+    int32_t a, d1, d2;
+    uint32_t range;
+};
+
+ZS_ALWAYS_INLINE void zs_texture_coordinate(struct zs_coordinate *out, int32_t a, int32_t b,
+                                            int32_t c)
 {
-    return 16 - up - (int32_t)uv_bits + (int32_t)zs_maxu32(log2, ZS_TEXTURE_FLOOR_LOG2);
+    out->a = a;
+    out->d1 = b - a;
+    out->d2 = c - a;
+    out->range = zs_range32(b - a, c - a);
+}
+
+/* Return log2 of the texels that the full range of 16 bits spans, if a range takes `bits` bits of
+ * it: 2^-uv_bits repeats of 2^log2 texels, or of at least 128. */
+static inline int32_t zs_texture_texels(int32_t bits, uint32_t uv_bits, uint32_t log2)
+{
+    return bits - (int32_t)uv_bits + (int32_t)zs_maxu32(log2, ZS_TEXTURE_FLOOR_LOG2);
+}
+
+/* Return the larger one of u and v. The range of one, shifted by its texture's size, has as many
+ * bits as both that are or-ed. */
+ZS_ALWAYS_INLINE int32_t zs_texture_most(const struct zs_texture *t, const struct zs_coordinate *u,
+                                         const struct zs_coordinate *v, uint32_t uv_bits)
+{
+    const uint32_t both = /* < 2^(16 + 10) */
+        (u->range | 1u) << zs_maxu32(t->log2_w, ZS_TEXTURE_FLOOR_LOG2) |
+        (v->range | 1u) << zs_maxu32(t->log2_h, ZS_TEXTURE_FLOOR_LOG2);
+    return 32 - zs_clz32(both) - (int32_t)uv_bits;
 }
 
 /* Return the shift from uq0_32 to a column or row. For a size of one texel it is 31; u or v is then
@@ -58,21 +85,57 @@ static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t le
     return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
 }
 
-/* Return 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats. shift = 23 +
- * uv_bits - the leading zeros of the area, 1 .. 36. Clears *ok if the result does not fit 32 bits
- * with its sign. |n| < 2^31. The error is 2^-30 of the result, and 1/2 ulp. */
-static inline uint32_t zs_texture_gradient(uint32_t rcp, int32_t n, int32_t shift, int *ok)
+/* Return v * rcp + more, rcp >= 2^31: on a core with wide products one of them, signed, because rcp
+ * - 2^32 fits 32 bits with a sign, and v * 2^32 is added. */
+static inline int64_t zs_times_rcp(int32_t v, uint32_t rcp, uint32_t more)
 {
-    const int64_t product = zs_mul_su(n, rcp); /* |.| < 2^63 */
-    if (shift > 32)
-        return (uint32_t)((((int32_t)(product >> 32) >> (shift - 33)) + 1) >> 1);
-    const int64_t q = product + (1u << (shift - 1));
+    if (ZS_CROSS_SHORT)
+        return zs_mul_su(v, rcp) + more;
+    return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) +
+           ((int64_t)v * ((int64_t)1 << 32) + more);
+}
+
+/* zs_texture_gradient for shift > 31. */
+uint32_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift);
+
+/* Return 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats. shift = 23 +
+ * uv_bits - the leading zeros of the area, 1 .. 36. The upper word is not 0 if the result does not
+ * fit 32 bits with its sign. |n| < 2^31. The error is 2^-30 of the result, and 1/2 ulp. */
+ZS_ALWAYS_INLINE uint64_t zs_texture_gradient(int32_t n, uint32_t rcp, int32_t shift)
+{
+    if (ZS_SELDOM(shift > 31))
+        return zs_texture_gentle(n, rcp, shift);
+    const int64_t q = zs_times_rcp(n, rcp, (uint32_t)1 << (shift - 1)); /* |.| < 2^63 */
     const int32_t hi = (int32_t)(q >> 32);
-    if (shift == 32)
-        return (uint32_t)hi;
     const uint32_t low = (uint32_t)hi << (32 - shift) | (uint32_t)q >> shift;
-    *ok &= hi >> shift == (int32_t)low >> 31;
-    return low;
+    return (uint64_t)(uint32_t)(hi >> shift ^ (int32_t)low >> 31) << 32 | low;
+}
+
+/* The same as a function, for a core with few registers. */
+#if ZS_DIVIDES
+#define ZS_TEXTURE_GRADIENT zs_texture_gradient
+#else
+#define ZS_TEXTURE_GRADIENT zs_texture_gradient_call
+uint64_t zs_texture_gradient_call(int32_t n, uint32_t rcp, int32_t shift);
+#endif
+
+/* Compute a coordinate's gradients, and its value at the sample x, y, q24_8, from the first vertex:
+ * 2^-32 repeats, modulo one repeat. The 32768 that make coordinates unsigned are whole repeats. For
+ * a range below 2^14; of g, the differences, at most 2^16, and rcp are used. shift: that of
+ * gradients. Return not 0 if a gradient is too steep. */
+ZS_ALWAYS_INLINE int32_t zs_texture_plane(struct zs_plane *out, const struct zs_coordinate *c,
+                                          const struct zs_geom *g, int32_t shift, int32_t x,
+                                          int32_t y, uint32_t uv_bits, uint32_t log2)
+{
+    const int32_t d1 = c->d1, d2 = c->d2;
+    const uint64_t gx = ZS_TEXTURE_GRADIENT(d1 * g->dy2 - d2 * g->dy1, g->rcp, shift),
+                   gy = ZS_TEXTURE_GRADIENT(d2 * g->dx1 - d1 * g->dx2, g->rcp, shift);
+    out->gx = (uint32_t)gx;
+    out->gy = (uint32_t)gy;
+    out->base = ((uint32_t)c->a << 1 << (31u - uv_bits)) +
+                (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2)) +
+                zs_plane_step((int32_t)gx, x, (int32_t)gy, y);
+    return (int32_t)((gx | gy) >> 32);
 }
 
 /* Return 1 if affine interpolation of the light is exact enough: range * 2^-15 * 64 codes * change
