@@ -31,7 +31,7 @@ SCENE = teapot
 all: sim
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
-include .ci/packages.mk firmware/package/package.mk sim/sim.mk tests/tests.mk tests/boards/boards.mk tests/lab/lab.mk
+include .ci/packages.mk firmware/package/package.mk sim/sim.mk sim/web/web.mk tests/tests.mk tests/boards/boards.mk tests/lab/lab.mk
 
 ## demo: set up, draw the demo scenes as a board would into build/demo/, print what they took
 demo: sim
@@ -95,5 +95,5 @@ help-all: help
 .PHONY: all demo test quick t sim firmware show pico linux clean help help-all
 
 INCLUDED := $(MAKEFILE_LIST)
--include $(foreach at,core sim test test/narrow fuzz/clang study/*,$(foreach of,firmware hal sim tests,\
+-include $(foreach at,core sim test test/narrow fuzz/clang web study/*,$(foreach of,firmware hal sim tests,\
     $(wildcard $(addprefix $(B)/$(at)/$(of)/,*.d */*.d */*/*.d))))

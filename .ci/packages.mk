@@ -11,6 +11,7 @@ PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
 PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox \
              valgrind $(if $(shell command -v npm),,nodejs npm)
 PKG_SHOW = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi $(if $(shell command -v npm),,nodejs npm)
+PKG_ENGINE = gcc libc6-dev clang lld wasi-libc libclang-rt-14-dev-wasm32
 PKG_PACKAGE = gcc libc6-dev cmake dpkg-dev libgpiod-dev pkg-config
 PKG_PROVE = gcc libc6-dev frama-c-base
 PKG_COVERAGE = gcovr
@@ -32,6 +33,7 @@ $(eval $(call setup,scale,SCALE,test linux sim))
 $(eval $(call setup,fuzz,FUZZ,test linux sim))
 $(eval $(call setup,report,REPORT,sim))
 $(eval $(call setup,package,PACKAGE))
+$(eval $(call setup,engine,ENGINE))
 $(eval $(call setup,show,SHOW,sim fw-pico))
 $(B)/.setup-fw-$(BOARD):
 	@$(SHOW) hal >/dev/null # a wrong name is told before anything is installed

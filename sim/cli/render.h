@@ -5,6 +5,8 @@
 #ifndef SIM_RENDER_H
 #define SIM_RENDER_H
 
+#include "frame.h"
+#include "framing.h"
 #include "image.h"
 #include "model.h"
 #include "render_options.h"
@@ -12,6 +14,21 @@
 /* Draw a model that is loaded, as the options say, and write no file. seen is the caller's after SIM_OK; else what is
  * refused was said. */
 int sim_render_model(struct sim_picture *seen, const struct sim_model *model, const struct sim_options *o);
+
+/* A frame of a model with all that is known of it; sim_render_free. *out may not move. */
+struct sim_rendered {
+    struct sim_view view;
+    struct zs_config config;
+    struct sim_frame frame;
+    struct sim_picture shown; /* with --show; else empty */
+    struct sim_lost lost[SIM_LOST_KINDS];
+    uint32_t parts;           /* that the model has as meshes */
+    uint64_t verts;           /* of all of them */
+};
+
+/* The same as sim_render_model, without a panel. */
+int sim_render_all(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o);
+void sim_render_free(struct sim_rendered *r);
 
 /* Run with the arguments after "render". Return enum sim_status. */
 int sim_render(int argc, char **argv);

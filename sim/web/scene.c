@@ -1,0 +1,108 @@
+/* Demo scenes.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <string.h>
+
+#include "answer.h"
+#include "engine.h"
+#include "method_names.h"
+#include "piece_frame.h"
+#include "pieces.h"
+#include "sim.h"
+
+static const struct demo *scene_at(uint32_t i)
+{
+    return i < n_demos ? demos[i] : &pieces[i - n_demos]->demo;
+}
+
+static const struct piece *piece_of(const struct demo *scene)
+{
+    for (uint32_t i = 0; i < n_pieces; i++)
+        if (scene == &pieces[i]->demo)
+            return pieces[i];
+    return NULL;
+}
+
+const struct demo *web_scene_named(const char *name)
+{
+    for (uint32_t i = 0; i < n_demos + n_pieces; i++)
+        if (strcmp(scene_at(i)->name, name) == 0)
+            return scene_at(i);
+    return NULL;
+}
+
+WEB_EXPORT(scenes) const char *web_scenes(void)
+{
+    FILE *f = answer_begin();
+    for (uint32_t i = 0; i < n_demos + n_pieces; i++) {
+        const struct demo *scene = scene_at(i);
+        static struct demo_frame at;
+        uint64_t tris = 0;
+        int textured = 0;
+        scene->pose(&at, 0, scene->width, scene->height);
+        for (uint32_t k = 0; k < at.scene.n_instances; k++) {
+            tris += at.scene.instance[k].mesh->n_tris;
+            textured |= at.scene.instance[k].material->texture != NULL;
+        }
+        (void)fprintf(f, "%s{\"name\":", i > 0 ? "," : "[");
+        answer_text(f, scene->name);
+        (void)fputs(",\"text\":", f);
+        answer_text(f, scene->what);
+        (void)fprintf(f,
+                      ",\"width\":%u,\"height\":%u,\"frames\":%u,\"triangles\":%u,\"textured\":%s,\"moving\":%s,"
+                      "\"bench\":%s,\"effects\":%s}",
+                      scene->width, scene->height, scene->frames, (unsigned)tris, textured ? "true" : "false",
+                      scene->frames > 1 ? "true" : "false", scene->bench ? "true" : "false",
+                      piece_of(scene) != NULL ? "true" : "false");
+    }
+    (void)fputs("]", f);
+    return answer_end();
+}
+
+static uint16_t pool(long wanted)
+{
+    return (uint16_t)(wanted > 0 && wanted < ZS_POOL_MAX ? wanted : ZS_POOL_MAX);
+}
+
+void web_scene_config(struct zs_config *config, const struct demo *scene, const struct sim_options *o)
+{
+    static const struct zs_depth *const depths[] = {
+        [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
+        [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
+        [SIM_DEPTH_E5M11] = &zs_depth_e5m11, [SIM_DEPTH_FLOAT] = &zs_depth_float,
+    };
+    const uint16_t width = o->has_size ? (uint16_t)o->size[0] : scene->width,
+                   height = o->has_size ? (uint16_t)o->size[1] : scene->height;
+    sim_frame_config(config, width, height, (uint8_t)scene->varyings);
+    config->strip_h = (uint16_t)(o->strip < height ? o->strip : height);
+    config->max_tris = pool(o->tris);
+    config->max_verts = pool(o->verts);
+    config->buffers = (uint8_t)o->buffers;
+    config->subpixel_bits = (uint8_t)o->subpixel;
+    config->depth_bits = (uint8_t)o->depth_bits;
+    config->fast = o->fast.list;
+    config->depth = o->depth == SIM_DEPTH_DEFAULT ? scene->depth : depths[o->depth];
+    sim_method_apply(config, &sim_methods[o->method]);
+    const struct piece *piece = piece_of(scene);
+    if (piece != NULL && piece->method != NULL)
+        config->method = piece->method;
+}
+
+int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o)
+{
+    const struct piece *piece = piece_of(scene);
+    static struct demo_frame at;
+    memset(out, 0, sizeof *out);
+    web_scene_config(&out->config, scene, o);
+    scene->pose(&at, web.time % scene->frames, out->config.width, out->config.height);
+    int err = piece != NULL ? sim_piece_render(&out->frame, piece, &at, &out->config, NULL, NULL)
+                            : sim_frame_render(&out->frame, &at.scene, &at.camera, &out->config, NULL);
+    if (err == ZS_OK && o->show != SIM_SHOW_FRAME)
+        err = sim_show_draw(&out->shown, NULL, o->show, &at.scene, &at.camera, &out->config, 1.0);
+    if (err == ZS_OK)
+        return SIM_OK;
+    sim_render_free(out);
+    return sim_refuse(scene->name, 0, "%s",
+                      err == SIM_FRAME_BROKEN ? "its frame could not be drawn" : zs_error_string(err));
+}
