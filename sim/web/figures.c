@@ -15,11 +15,36 @@
 
 /* ---- Budget ------------------------------------------------------------------------------------- */
 
-static int count(struct budget *b, struct budget_request *rq)
+static int draw(struct sim_rendered *out, const struct sim_options *o)
+{
+    return web.scene != NULL ? web_scene_draw(out, web.scene, o) : web_model_draw(out, &web.model, o);
+}
+
+/* The pools that a frame takes, which is all that is known of effects. */
+static int count_frame(struct budget *b, const struct budget_request *rq)
+{
+    struct sim_rendered drawn;
+    const int status = draw(&drawn, &rq->o);
+    if (status != SIM_OK)
+        return status;
+    const struct zs_stats *s = &drawn.frame.stats;
+    b->config = drawn.config;
+    if (!rq->has_tris)
+        b->config.max_tris = (uint16_t)(s->max_tris_used < 1 ? 1 : s->max_tris_used);
+    if (!rq->has_verts)
+        b->config.max_verts = (uint16_t)(s->max_verts_used < 3 ? 3 : s->max_verts_used);
+    b->n_instances = s->instances_in;
+    sim_render_free(&drawn);
+    return SIM_OK;
+}
+
+static int count(struct budget *b, struct budget_request *rq, int effects)
 {
     memset(b, 0, sizeof *b);
     b->method = &sim_methods[rq->o.method];
-    int status = web.scene != NULL ? budget_scene(b, rq) : budget_model(b, rq, &web.model);
+    const int status = effects               ? count_frame(b, rq)
+                       : web.scene != NULL ? budget_scene(b, rq)
+                                           : budget_model(b, rq, &web.model);
     if (status != SIM_OK)
         return status;
     budget_ram(&b->ram, rq, &b->config, b->n_instances);
@@ -61,11 +86,14 @@ static void put_pools(FILE *f, const struct budget *b)
     (void)fprintf(f, "],\"arena\":%u,\"total\":%u}", (unsigned)r->arena, (unsigned)r->total[BUDGET_M3]);
 }
 
-static void put_part(FILE *f, const struct budget_request *rq, const struct budget *b, const struct budget_part *p)
+static void put_part(FILE *f, const struct budget_request *rq, const struct budget *b, const struct budget_part *p,
+                     int effects)
 {
     const double wire = budget_wire_ms(rq, b, p);
     struct budget_totals t;
     budget_totals(&t, rq, b, p->core, p->mhz, wire);
+    t.draw_ms = effects ? (double)NAN : t.draw_ms;
+    t.flash = effects ? (double)NAN : t.flash;
     (void)fprintf(f, "{\"name\":\"%s\",\"core\":\"%s\",\"text\":", p->name, sim_core_names[p->core]);
     answer_text(f, p->text);
     put_number(f, "mhz", p->mhz);
@@ -78,9 +106,11 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     put_number(f, "fps", isnan(t.draw_ms) ? (double)NAN : t.fps);
     put_number(f, "fpsError", sim_cost_error(p->core) / 100.0);
     (void)fprintf(f, ",\"limit\":\"%s\",\"ramFits\":%s,\"flashFits\":%s", wire > t.draw_ms ? "wire" : "drawing",
-                  t.ram <= p->ram ? "true" : "false", t.flash <= p->flash ? "true" : "false");
+                  t.ram <= p->ram ? "true" : "false", t.flash > p->flash ? "false" : "true");
     if (isnan(t.draw_ms))
-        (void)fputs(",\"why\":\"This method was measured for some scenes alone, in their own size.\"", f);
+        (void)fprintf(f, ",\"why\":\"%s\"",
+                      effects ? "Effects have no estimate of time and flash yet."
+                              : "This method was measured for some scenes alone, in their own size.");
     (void)fputs("}", f);
 }
 
@@ -105,7 +135,8 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
             return NULL;
         rq.o.spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
     }
-    if (web.name == NULL || count(&b, &rq) != SIM_OK)
+    const int effects = web.scene != NULL ? web_scene_is_piece(web.scene) : sim_effects_any(&rq.o.effects);
+    if (web.name == NULL || count(&b, &rq, effects) != SIM_OK)
         return NULL;
     FILE *f = answer_begin();
     (void)fputs("{", f);
@@ -113,7 +144,7 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
     (void)fputs(",\"parts\":[", f);
     for (uint32_t i = 0; i < n_budget_parts; i++) {
         (void)fputs(i > 0 ? "," : "", f);
-        put_part(f, &rq, &b, &budget_parts[i]);
+        put_part(f, &rq, &b, &budget_parts[i], effects);
     }
     (void)fputs("]}", f);
     return answer_end();
@@ -129,7 +160,7 @@ WEB_EXPORT(explain) void web_explain(void)
     o.explain = 1;
     if (web.name == NULL)
         return;
-    if ((web.scene != NULL ? web_scene_draw(&drawn, web.scene, &o) : web_model_draw(&drawn, &web.model, &o)) == SIM_OK)
+    if (draw(&drawn, &o) == SIM_OK)
         sim_render_free(&drawn);
 }
 

@@ -26,6 +26,11 @@ static const struct piece *piece_of(const struct demo *scene)
     return NULL;
 }
 
+int web_scene_is_piece(const struct demo *scene)
+{
+    return piece_of(scene) != NULL;
+}
+
 const struct demo *web_scene_named(const char *name)
 {
     for (uint32_t i = 0; i < n_demos + n_pieces; i++)
