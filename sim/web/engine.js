@@ -361,7 +361,8 @@ export class Engine {
         const SHARED = ['--cull', '--precise', '--texture-format', '--wrap', '--color', '--simplify'];
         const words = this.#words(this.#args).filter((word) => SHARED.includes(word.split('=')[0]));
         if (this.#args.shade !== undefined) words.push(`--shade=${this.#args.shade === 'id' ? 'raw' : this.#args.shade}`);
-        words.push('--name', name, '--out', '.', '--', this.#name);
+        words.unshift('--name', name, '--out', '.');
+        words.push('--', this.#name);
         const bytes = new TextEncoder().encode(words.map((word) => word + '\0').join(''));
         let out = null;
         const answer = this.#ask(() => this.#with(bytes, (at) => {
