@@ -12,6 +12,7 @@ PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-ar
              valgrind $(if $(shell command -v npm),,nodejs npm)
 PKG_SHOW = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi $(if $(shell command -v npm),,nodejs npm)
 PKG_ENGINE = gcc libc6-dev clang lld wasi-libc libclang-rt-14-dev-wasm32
+PKG_WEB = $(PKG_ENGINE) nodejs
 PKG_PACKAGE = gcc libc6-dev cmake dpkg-dev libgpiod-dev pkg-config
 PKG_PROVE = gcc libc6-dev frama-c-base
 PKG_COVERAGE = gcovr
@@ -34,6 +35,7 @@ $(eval $(call setup,fuzz,FUZZ,test linux sim))
 $(eval $(call setup,report,REPORT,sim))
 $(eval $(call setup,package,PACKAGE))
 $(eval $(call setup,engine,ENGINE))
+$(eval $(call setup,web,WEB,engine))
 $(eval $(call setup,show,SHOW,sim fw-pico))
 $(B)/.setup-fw-$(BOARD):
 	@$(SHOW) hal >/dev/null # a wrong name is told before anything is installed

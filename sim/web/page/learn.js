@@ -1,0 +1,2 @@
+import {make} from './dom.js';
+export function buildCards(at) { at.append(make('p', {}, '...')); }
