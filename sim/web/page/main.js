@@ -170,13 +170,12 @@ const rows = () => app.options.get('strip').value ?? 16;
 
 function choosePanel(name) {
     const panel = PANELS.find((p) => p.name === name);
-    const given = panel.name ? { panel: panel.name, width: undefined, height: undefined }
-        : { panel: undefined, width: app.panel.width, height: app.panel.height };
-    if (!configure({ ...given, falseColors: undefined }, 'panel')) {
+    const { width, height } = panel.name ? panel : app.panel;
+    if (!configure({ panel: panel.name || undefined, width, height, falseColors: undefined }, 'panel')) {
         id('panel').value = app.panel.name;
         return false;
     }
-    app.panel = { ...panel, width: panel.name ? panel.width : app.panel.width, height: panel.name ? panel.height : app.panel.height };
+    app.panel = { ...panel, width, height };
     showPanel();
     return true;
 }
@@ -194,8 +193,8 @@ function showPanel() {
 /* False colours do not go through a panel's driver: they are drawn at its size. */
 function chooseView(name) {
     const p = app.panel, plain = name === 'frame';
-    const given = plain && p.name ? { panel: p.name, width: undefined, height: undefined } : { panel: undefined, width: p.width, height: p.height };
-    if (!configure({ ...given, falseColors: plain ? undefined : name })) return;
+    const panel = plain && p.name ? p.name : undefined;
+    if (!configure({ panel, width: p.width, height: p.height, falseColors: plain ? undefined : name })) return;
     app.shown = name;
     id('board').classList.toggle('round', !!p.round && plain);
     for (const b of id('views').children) b.setAttribute('aria-pressed', String(b.dataset.view === name));
@@ -220,6 +219,8 @@ function chooseScene(name) {
 function markScene() {
     for (const b of id('scenes').children) b.setAttribute('aria-pressed', String(b.dataset.scene === app.scene));
     id('files').hidden = !(app.model && app.engine.files);
+    app.controls.enable(!!app.model);
+    id('for-models').hidden = !!app.model;
 }
 
 async function takeFiles(files) {
@@ -391,7 +392,7 @@ async function start() {
             }
             return;
         }
-        configure({ [name]: value === '' ? undefined : value }, name);
+        configure({ [name]: value }, name);
     });
     app.stage = new Stage(want);
     for (const o of app.engine.options()) app.options.set(o.name, o);
@@ -404,7 +405,7 @@ async function start() {
     buildPage(app.engineScenes);
     const shown = link.view;
     showPanel();
-    for (const [name, value] of Object.entries(typed)) configure({ [name]: value }, name);
+    if (Object.keys(typed).length > 0 && !configure(typed)) for (const [name, value] of Object.entries(typed)) configure({ [name]: value }, name);
     if (shown && shown !== 'frame') chooseView(shown);
     markScene();
     listen();
