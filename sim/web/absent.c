@@ -5,15 +5,9 @@
  */
 #include "image.h"
 #include "sim.h"
-#include "simplify.h"
 
 int sim_image_load(struct sim_image *out, const char *path)
 {
     *out = (struct sim_image){ 0 };
     return sim_refuse(path, 0, "pictures from files are for zsim on a desktop");
-}
-
-int sim_simplify_check(const char *text)
-{
-    return text == NULL ? SIM_OK : sim_usage("--simplify is for zsim on a desktop: leave it out");
 }

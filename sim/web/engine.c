@@ -100,16 +100,11 @@ static int parse(struct sim_options *o, char **words, const char *given, size_t 
 
 /* ---- What is drawn ------------------------------------------------------------------------------ */
 
-static int orbits(const struct web_orbit *at)
-{
-    return at->yaw != 0.0 || at->pitch != 0.0 || at->distance != 1.0;
-}
-
-static int draw(struct sim_rendered *out, const struct sim_options *o)
+static int draw(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o)
 {
     if (web.name == NULL)
         return sim_refuse(NULL, 0, "there is nothing to draw; choose a scene or a model");
-    return web.scene != NULL ? web_scene_draw(out, web.scene, o) : web_model_draw(out, &web.model, o);
+    return web.scene != NULL ? web_scene_draw(out, web.scene, o) : web_model_draw(out, model, o);
 }
 
 static void keep(struct sim_rendered *drawn)
@@ -122,7 +117,7 @@ static void keep(struct sim_rendered *drawn)
 WEB_EXPORT(render) int web_render(void)
 {
     struct sim_rendered drawn;
-    const int status = draw(&drawn, &web.chosen);
+    const int status = draw(&drawn, &web.model, &web.chosen);
     if (status == SIM_OK)
         keep(&drawn);
     return status;
@@ -149,14 +144,21 @@ WEB_EXPORT(configure) int web_configure(const char *given, size_t bytes, int n)
     int status = parse(&o, &words, given, bytes, n);
     if (status != SIM_OK)
         return status;
-    if (web.name != NULL)
-        o.model = web.name;
     struct sim_options chosen = o;
-    if (web.name != NULL)
-        status = draw(&drawn, &chosen);
+    struct sim_model model = { 0 };
+    const int is_model = web.name != NULL && web.scene == NULL;
+    if (is_model)
+        status = web_model_load(&model, &chosen);
+    if (status == SIM_OK && web.name != NULL)
+        status = draw(&drawn, &model, &chosen);
     if (status != SIM_OK) {
+        sim_model_free(&model);
         free(words);
         return status;
+    }
+    if (is_model) {
+        sim_model_free(&web.model);
+        web.model = model;
     }
     if (web.name != NULL)
         keep(&drawn);

@@ -39,7 +39,9 @@ const struct demo *web_scene_named(const char *name);
 /* The configuration that options mean for a scene. */
 void web_scene_config(struct zs_config *config, const struct demo *scene, const struct sim_options *o);
 
-/* A model's frame. */
+/* The model that was handed over, as options ask for it; *o gets the shading that is chosen. */
+int web_model_load(struct sim_model *model, struct sim_options *o);
+/* Its frame. */
 int web_model_draw(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o);
 
 #endif

@@ -44,6 +44,21 @@ function system(said) {
     return { table, bind: (get) => (memory = get) };
 }
 
+/** A material as struct web_paint of given.h. */
+function paintNumbers(paint) {
+    const flag = (on, bit) => (on ? bit : 0);
+    const modes = { opaque: 0, mask: 1, blend: 2 };
+    const opacity = paint.opacity ?? 1;
+    return [
+        ...(paint.color ?? [-1, 0, 0]), ...(paint.emission ?? [0, 0, 0]), ...(paint.specular ?? [0, 0, 0]), paint.power ?? 0,
+        opacity, paint.alphaLeast ?? 128 / 255, ...(paint.textureFactor ?? [1, 1, 1]),
+        modes[paint.alpha] ?? (opacity < 1 ? 2 : 0),
+        flag(paint.twoSided, 1) | flag(paint.unlit, 2) | flag(paint.clampU, 4) | flag(paint.clampV, 8) |
+            flag(paint.saysAlpha, 16),
+        paint.texture ?? -1,
+    ];
+}
+
 /**
  * @param {ArrayBuffer|Uint8Array} wasmBytes  engine.wasm
  * @returns {Promise<Engine>}
@@ -144,6 +159,54 @@ export class Engine {
      * @returns {Answer} */
     setScene(name) {
         return this.#ask(() => this.#with(new TextEncoder().encode(name + '\0'), (at) => this.#c.scene(at)));
+    }
+
+    /** Draw a model from here on. Where it is refused what was drawn before stays.
+     * Colours are 0 .. 1 a channel. A vertex without texture coordinates has NaN there.
+     * @param {{name?: string, positions: Float64Array|Float32Array, indices: Uint32Array|Uint16Array|number[],
+     *          normals?: Float32Array, uvs?: Float64Array|Float32Array, uvDown?: boolean, colors?: Float32Array,
+     *          triMaterial?: Uint32Array, materials?: Material[], textures?: Texture[], losses?: string[]}} model
+     *   uvDown: v counts from the top of the picture, as in glTF; else from its bottom, as in OBJ
+     * @typedef {{name?: string, color?: number[], emission?: number[], specular?: number[], power?: number,
+     *            opacity?: number, alpha?: 'opaque'|'mask'|'blend', alphaLeast?: number, twoSided?: boolean,
+     *            unlit?: boolean, texture?: number, textureFactor?: number[], clampU?: boolean, clampV?: boolean,
+     *            saysAlpha?: boolean}} Material  texture: into textures; saysAlpha: its format says what alpha does
+     * @typedef {{name?: string, width: number, height: number, rgba: Uint8Array|Uint8ClampedArray}} Texture
+     * @returns {Answer & {losses: string[]}} losses: what of the file is not carried over */
+    setModel(model) {
+        const c = this.#c, name = (text) => new TextEncoder().encode((text ?? '') + '\0');
+        const verts = Math.floor(model.positions.length / 3), tris = Math.floor(model.indices.length / 3);
+        const paints = model.materials ?? [], images = model.textures ?? [];
+        const answer = this.#ask(() => {
+            this.#with(name(model.name ?? 'model'), (at) => c.model_begin(at, verts, tris, paints.length, images.length));
+            const put = (which, Type, from, n) => {
+                if (from === undefined || from === null) return;
+                const at = c.model_array(which); // the memory may grow, and its buffer become another one
+                new Type(c.memory.buffer, at, n).set(from.length > n ? from.subarray(0, n) : from);
+            };
+            put(0, Float64Array, model.positions, 3 * verts);
+            if (model.uvs) {
+                const at = c.model_array(1);
+                const uvs = new Float64Array(c.memory.buffer, at, 2 * verts).fill(NaN);
+                uvs.set(model.uvs);
+                if (!model.uvDown) for (let i = 1; i < uvs.length; i += 2) uvs[i] = 1 - uvs[i];
+            }
+            put(2, Float32Array, model.normals, 3 * verts);
+            put(3, Float32Array, model.colors, 3 * verts);
+            put(4, Uint32Array, model.indices, 3 * tris);
+            put(5, Uint32Array, model.triMaterial, tris);
+            paints.forEach((paint, i) => {
+                const at = this.#with(name(paint.name), (text) => c.model_paint(i, text));
+                new Float64Array(c.memory.buffer, at, 18).set(paintNumbers(paint));
+            });
+            images.forEach((image, i) => {
+                const at = this.#with(name(image.name), (text) => c.model_image(i, text, image.width, image.height));
+                if (at !== 0) this.#bytes(at, 4 * image.width * image.height).set(image.rgba);
+            });
+            return c.model_end(0, model.positions instanceof Float32Array ? 1 : 0);
+        });
+        const losses = answer.ok ? this.#text(c.losses()).split('\n').filter((line) => line !== '') : [];
+        return { ...answer, losses: [...(answer.ok ? model.losses ?? [] : []), ...losses] };
     }
 
     #words(args) {
