@@ -7,7 +7,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const PATIENCE_MS = Number(process.env.PAT || 120000); /* for whatever is waited for, on a machine that does other things too */
+const PATIENCE_MS = 120000; /* for whatever is waited for, on a machine that does other things too */
 
 export class Browser {
     /** Start it. program: its name or path. */

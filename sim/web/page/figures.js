@@ -5,7 +5,7 @@ const color = (i) => `var(--c${i % 8})`;
 
 /* A bar whose pieces are [{name, bytes}] of a whole. */
 function track(pieces, whole) {
-    const sum = pieces.reduce((s, p) => s + p.bytes, 0), scale = Math.max(sum, whole) || 1;
+    const sum = pieces.reduce((s, p) => s + (p.bytes || 0), 0), scale = Math.max(sum, whole) || 1;
     return make('div', { className: 'track' }, ...pieces.map((p, i) => make('i', {
         title: `${p.name}: ${bytes(p.bytes)}`,
         style: `width:${(100 * p.bytes / scale).toFixed(3)}%;background:${p.color || color(i)}`,
@@ -16,11 +16,11 @@ function meter(at, title, pieces, used, has, fits) {
     at.className = fits ? 'meter' : 'meter over';
     at.replaceChildren(
         make('header', {}, make('b', {}, fits ? title : `${title} does not fit`),
-            make('span', {}, `${bytes(used)} of ${bytes(has)}`)),
-        track(pieces, has));
+            make('span', {}, used === null ? `of ${bytes(has)}` : `${bytes(used)} of ${bytes(has)}`)),
+        used === null ? make('p', { className: 'hint' }, 'There is no figure for these settings.') : track(pieces, has));
 }
 
-const has = (part, kind) => part[`${kind}Has`] ?? part[`${kind}There`] ?? part[`${kind}Size`] ?? part[`${kind}Bytes`];
+const has = (part, kind) => part[`${kind}Bytes`];
 
 /* Frames a second with two significant digits. */
 export const rate = (fps) => (!(fps > 0) ? '–' : fps >= 100 ? count(fps) : fps >= 10 ? fps.toFixed(0) : fps.toFixed(1));
@@ -68,7 +68,7 @@ export function showParts(parts, chosen, choose) {
         const row = list.children[i], fits = p.ramFits && p.flashFits;
         row.setAttribute('aria-pressed', String(p.name === chosen));
         const bar = (kind, title, used, ok) => make('div', { className: ok ? 'bar' : 'bar over' },
-            `${title} ${bytes(used)} of ${bytes(has(p, kind))}`,
+            used === null ? `${title} – of ${bytes(has(p, kind))}` : `${title} ${bytes(used)} of ${bytes(has(p, kind))}`,
             make('div', { className: 'track' }, make('i', {
                 style: `width:${Math.min(100, 100 * used / has(p, kind)).toFixed(2)}%;background:${ok ? 'var(--c0)' : 'var(--bad)'}`,
             })));

@@ -71,7 +71,7 @@ function drawState(c, s) {
 }
 
 function methodCard(title, about, method) {
-    let order = [...BARS], run = method(order), state = run.next().value, timer = 0;
+    let order = [...(method.bars || BARS)], run = method(order), state, timer = 0;
     const width = 16 + 2 * N * CELL + GAP, height = 16 + N * CELL;
     const { canvas, again } = plot(width, height, `${title}: the picture, and what is in memory`, (c) => drawState(c, state));
     const say = make('p', { className: 'say', role: 'status' });
@@ -118,9 +118,10 @@ function methodCard(title, about, method) {
     });
     const other = button('Other order', () => {
         stop();
-        order = [order[1], order[2], order[0]];
+        order.push(order.shift());
         begin();
     });
+    for (const last of run) state = last; // shown done at first
     show();
     return make('article', { className: 'card' }, make('h3', {}, title), make('p', {}, about), canvas, say,
         make('div', { className: 'row' }, play, next, other));
@@ -193,7 +194,7 @@ function mappingCard() {
         again();
     };
     const slider = (title, name, min, max, step, show, to = (v) => v, from = (v) => v) => {
-        const input = make('input', { type: 'range', min, max, step }), out = make('output');
+        const input = make('input', { type: 'range', min, max, step }), out = make('b');
         input.addEventListener('input', () => {
             set[name] = to(Number(input.value));
             update();
@@ -224,7 +225,7 @@ function mappingCard() {
     });
     for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => { held = null; });
     update();
-    return make('article', { className: 'card' }, make('h3', {}, 'What a depth key is worth'),
+    return make('article', { className: 'card double' }, make('h3', {}, 'What a depth key is worth'),
         make('p', {}, 'Keys are few: 65,536 of 16 bits. A mapping says how they are spent from near to far. Drag near, far, and the distance that you ask about.'),
         canvas, make('p', { className: 'legend' }, ...MAPPINGS.map(([name, tint]) => make('span', { style: `--k:var(${tint})` }, name))), say, row);
 }

@@ -142,15 +142,16 @@ class Gltf {
         const out = (this.json.materials || []).map((m, i) => {
             const pbr = m.pbrMetallicRoughness || {}, base = pbr.baseColorFactor || [1, 1, 1, 1];
             const made = {
-                name: m.name || `material ${i + 1}`, color: base.slice(0, 3), alpha: m.alphaMode === 'BLEND' ? base[3] : 1,
-                alphaMode: m.alphaMode || 'OPAQUE', alphaCutoff: m.alphaCutoff ?? 0.5, doubleSided: !!m.doubleSided,
+                name: m.name || `material ${i + 1}`, color: base.slice(0, 3), opacity: m.alphaMode === 'BLEND' ? base[3] : 1,
+                alpha: (m.alphaMode || 'OPAQUE').toLowerCase(), alphaLeast: m.alphaCutoff ?? 0.5, twoSided: !!m.doubleSided,
+                saysAlpha: true, textureFactor: base.slice(0, 3),
             };
             if (pbr.baseColorTexture) made.texture = pbr.baseColorTexture.index;
             if (m.emissiveFactor && m.emissiveFactor.some((c) => c > 0)) made.emission = m.emissiveFactor;
             if (m.extensions && m.extensions.KHR_materials_unlit) made.unlit = true;
             return made;
         });
-        if (this.usesPlain) out.push({ name: '', color: [0.8, 0.8, 0.8], alpha: 1 });
+        if (this.usesPlain) out.push({ name: '' });
         return out;
     }
 
@@ -189,5 +190,5 @@ export function readGltf(name, bytes, other = () => null) {
     const gltf = new Gltf(name, parsed, bin, other);
     gltf.walk();
     if (gltf.corners.indices.length === 0) throw new BadModel(name, 0, 'no triangles in it');
-    return gltf.corners.model(name, gltf.materials(), gltf.textures(), [...gltf.losses]);
+    return gltf.corners.model(name, { materials: gltf.materials(), textures: gltf.textures(), losses: [...gltf.losses], uvDown: true });
 }

@@ -12,7 +12,7 @@ export function readMtl(text) {
         const word = raw.replace(/#.*/, '').trim().split(/\s+/);
         const numbers = word.slice(1).map(Number);
         if (word[0] === 'newmtl') {
-            now = { name: raw.trim().slice(6).trim(), color: [1, 1, 1], alpha: 1 };
+            now = { name: raw.trim().slice(6).trim(), color: [1, 1, 1] };
             materials.set(now.name, now);
         } else if (now === null) {
             continue;
@@ -23,11 +23,11 @@ export function readMtl(text) {
         } else if (word[0] === 'Ks' && numbers.length >= 3) {
             now.specular = numbers.slice(0, 3);
         } else if (word[0] === 'Ns') {
-            now.shininess = numbers[0];
+            now.power = numbers[0];
         } else if (word[0] === 'd' && Number.isFinite(numbers[0])) {
-            now.alpha = numbers[0];
+            now.opacity = numbers[0];
         } else if (word[0] === 'Tr' && Number.isFinite(numbers[0])) {
-            now.alpha = 1 - numbers[0];
+            now.opacity = 1 - numbers[0];
         } else if (word[0] === 'map_Kd') {
             now.map = raw.trim().split(/\s+/).pop();
         }
@@ -46,7 +46,7 @@ export function readObj(name, text, other = () => null) {
     const lost = new Set();
     let library = new Map();
     const materials = [], numberOf = new Map(), textures = [];
-    let material = 0, anyLibrary = false;
+    let material = 0;
 
     const lines = text.replace(/^\ufeff/, '').replace(/\\\r?\n/g, ' ').split(/\r\n|\n|\r/);
     const fail = (line, why) => {
@@ -74,7 +74,8 @@ export function readObj(name, text, other = () => null) {
     const use = (wanted) => {
         if (!numberOf.has(wanted)) {
             const from = library.get(wanted);
-            const made = from ? { ...from } : { name: wanted, color: anyLibrary ? [1, 1, 1] : [0.8, 0.8, 0.8], alpha: 1 };
+            const made = from ? { ...from } : { name: wanted };
+            if (from && from.map !== undefined && from.color.some((c) => c > 0)) made.textureFactor = from.color;
             if (made.map !== undefined) {
                 made.texture = textures.indexOf(made.map);
                 if (made.texture < 0) made.texture = textures.push(made.map) - 1;
@@ -105,8 +106,7 @@ export function readObj(name, text, other = () => null) {
                 const p = index(part[0], points.length, 'vertex', line);
                 const t = part.length > 1 && part[1] !== '' ? index(part[1], uvs.length, 'texture', line) : -1;
                 const n = part.length > 2 && part[2] !== '' ? index(part[2], normals.length, 'normal', line) : -1;
-                const uv = t < 0 ? null : [uvs[t][0], 1 - uvs[t][1]];
-                fan.push(corners.vertex(`${p}/${t}/${n}`, points[p], n < 0 ? null : normals[n], uv, tints[p]));
+                fan.push(corners.vertex(`${p}/${t}/${n}`, points[p], n < 0 ? null : normals[n], t < 0 ? null : uvs[t], tints[p]));
             }
             corners.polygon(fan, material);
         } else if (word[0] === 'usemtl') {
@@ -117,7 +117,6 @@ export function readObj(name, text, other = () => null) {
                 losses.push(`material file ${file} was not given: drop it with the model`);
             } else {
                 library = new Map([...library, ...readMtl(got)]);
-                anyLibrary = true;
             }
         } else if (word[0] === 'l' || word[0] === 'p') {
             lost.add('lines and points');
@@ -127,5 +126,6 @@ export function readObj(name, text, other = () => null) {
     }
     if (corners.indices.length === 0)
         throw new BadModel(name, 0, 'no faces in it; zsim draws `f` elements of OBJ text');
-    return corners.model(name, materials, textures, losses.concat([...lost].map((what) => `${what} are left out`)));
+    for (const what of lost) losses.push(`${what} are left out`);
+    return corners.model(name, { materials, textures, losses, single: false });
 }

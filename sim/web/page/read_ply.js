@@ -91,7 +91,7 @@ export function readPly(name, bytes) {
         }
     }
     if (corners.indices.length === 0) throw new BadModel(name, 0, 'no faces in it; zsim draws polygons');
-    return corners.model(name, [{ name: '', color: [0.8, 0.8, 0.8], alpha: 1 }]);
+    return corners.model(name);
 }
 
 function vertexOf(corners, rows, v, known, name) {
@@ -100,6 +100,6 @@ function vertexOf(corners, rows, v, known, name) {
     const scale = known.has('red') && /char|int8/.test(known.get('red').kind) ? 255 : 1;
     const u = row.s ?? row.u ?? row.texture_u, w = row.t ?? row.v ?? row.texture_v;
     return corners.vertex(v, p, known.has('nx') ? [row.nx, row.ny, row.nz] : null,
-        u === undefined || w === undefined ? null : [u, 1 - w],
+        u === undefined || w === undefined ? null : [u, w],
         known.has('red') ? [row.red / scale, row.green / scale, row.blue / scale] : null);
 }

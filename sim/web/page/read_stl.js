@@ -56,5 +56,5 @@ export function readStl(name, bytes) {
     if (isBinary(bytes)) readBinary(name, bytes, corners);
     else readText(name, new TextDecoder().decode(bytes), corners);
     if (corners.indices.length === 0) throw new BadModel(name, 0, 'no faces in it');
-    return corners.model(name, [{ name: '', color: [0.8, 0.8, 0.8], alpha: 1 }]);
+    return corners.model(name);
 }

@@ -52,14 +52,15 @@ export class Corners {
         }
     }
 
-    /** What engine.setModel takes. */
-    model(name, materials = [], textures = [], losses = []) {
+    /** What engine.setModel takes. single: the format has single precision; uvDown: v counts from a picture's top. */
+    model(name, { materials = [], textures = [], losses = [], uvDown = false, single = true } = {}) {
         return {
             name,
-            positions: Float64Array.from(this.positions),
+            positions: (single ? Float32Array : Float64Array).from(this.positions),
             indices: Uint32Array.from(this.indices),
             normals: this.hasNormals ? Float32Array.from(this.normals) : undefined,
             uvs: this.hasUvs ? Float64Array.from(this.uvs) : undefined,
+            uvDown,
             colors: this.hasColors ? Float32Array.from(this.colors) : undefined,
             materials,
             triMaterial: Uint32Array.from(this.triMaterial),

@@ -85,9 +85,7 @@ export function* hiz(bars) {
     s.tiles = new Array(4).fill(FAR);
     s.say = 'Beside the keys, each tile of 4×4 keeps the farthest of them.';
     yield s;
-    const order = [...bars].sort((a, b) => middle(a) - middle(b));
-    for (const p of [...order, { ...order[0], name: 'a far bar', z: 80, zx: 0, zy: 0, tint: '--c3', points: [[0, 5], [8, 5], [8, 7], [0, 7]] },
-        { name: 'a far square', tint: '--c3', points: [[2, 5], [4, 5], [4, 7], [2, 7]], z: 90, zx: 0, zy: 0 }]) {
+    for (const p of [...bars].sort((a, b) => middle(a) - middle(b))) {
         const tiles = new Map();
         for (const hit of pixelsOf(p)) {
             const t = Math.floor(hit[0] / 32) * 2 + Math.floor((hit[0] % N) / 4);
@@ -109,11 +107,18 @@ export function* hiz(bars) {
             const all = s.depth.filter((_, i) => Math.floor(i / 32) * 2 + Math.floor((i % N) / 4) === t);
             s.tiles[t] = Math.max(...all);
         }
-        s.say = skipped > 0 ? `${p.name}: ${skipped} of its ${tiles.size} tiles are nearer throughout, and are skipped whole.`
-            : `${p.name}: ${s.mark.size} pixels. No tile is full yet, so none is skipped.`;
+        s.say = skipped > 0 ? `${p.name}: ${skipped} of its ${tiles.size} tiles are skipped whole, as all in them is nearer.`
+            : `${p.name}: ${s.mark.size} pixels are drawn, no tile is skipped.`;
         yield s;
     }
 }
+
+/* A wall before two bars, so that there is something to hide. */
+hiz.bars = [
+    { name: 'a blue wall', tint: '--c2', points: [[0, 0], [4, 0], [4, 8], [0, 8]], z: 10, zx: 0, zy: 1 },
+    { name: 'a green bar', tint: '--c0', points: [[0.2, 2], [7.8, 2], [7.8, 4], [0.2, 4]], z: 40, zx: 1, zy: 0 },
+    { name: 'a gold bar', tint: '--c1', points: [[1, 5], [3.6, 5], [3.6, 7], [1, 7]], z: 70, zx: 0, zy: 0 },
+];
 
 export function* painter(bars) {
     const s = empty(), order = [...bars].sort((a, b) => middle(b) - middle(a));
