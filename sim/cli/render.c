@@ -551,6 +551,8 @@ int sim_render_all(struct sim_rendered *out, const struct sim_model *model, cons
                                       .parts = job->scene.n_parts,
                                       .verts = job->scene.n_verts };
         memcpy(out->lost, job->scene.lost, sizeof out->lost);
+        if (o->panel.name != NULL)
+            picture_of(&out->shown, job);
         memset(&job->frame, 0, sizeof job->frame); /* the caller's */
         memset(&job->shown, 0, sizeof job->shown);
     }

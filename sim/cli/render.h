@@ -20,13 +20,13 @@ struct sim_rendered {
     struct sim_view view;
     struct zs_config config;
     struct sim_frame frame;
-    struct sim_picture shown; /* with --show; else empty */
+    struct sim_picture shown; /* with --show, or what is seen on a --panel; else empty */
     struct sim_lost lost[SIM_LOST_KINDS];
     uint32_t parts;           /* that the model has as meshes */
     uint64_t verts;           /* of all of them */
 };
 
-/* The same as sim_render_model, without a panel. */
+/* The same as sim_render_model. */
 int sim_render_all(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o);
 void sim_render_free(struct sim_rendered *r);
 

@@ -123,15 +123,24 @@ WEB_EXPORT(render) int web_render(void)
     return status;
 }
 
+/* Its first frame with what is set, which may be refused; then what was drawn before stays. */
 WEB_EXPORT(scene) int web_scene(const char *name)
 {
     const struct demo *scene = web_scene_named(name);
+    const uint32_t time = web.time;
+    struct sim_rendered drawn;
     if (scene == NULL)
         return sim_refuse(NULL, 0, "there is no scene '%s'", name);
+    web.time = 0;
+    const int status = web_scene_draw(&drawn, scene, &web.options);
+    if (status != SIM_OK) {
+        web.time = time;
+        return status;
+    }
+    keep(&drawn);
     sim_model_free(&web.model);
     web.scene = scene;
     web.name = scene->name;
-    web.time = 0;
     web.chosen = web.options;
     return SIM_OK;
 }

@@ -73,6 +73,9 @@ export class Engine {
     #c; // exports
     #said = '';
     #args = {};
+    #panel = ''; // the last one, for the wire of false colours
+    #figured = null;
+    #name = '';
 
     /** Use createEngine. */
     constructor(module) {
@@ -109,6 +112,11 @@ export class Engine {
         } finally {
             this.#c.give(at);
         }
+    }
+
+    #changed(name) {
+        this.#name = name;
+        this.#figured = null;
     }
 
     /** @returns {Answer} */
@@ -158,7 +166,9 @@ export class Engine {
      * @param {string} name
      * @returns {Answer} */
     setScene(name) {
-        return this.#ask(() => this.#with(new TextEncoder().encode(name + '\0'), (at) => this.#c.scene(at)));
+        const answer = this.#ask(() => this.#with(new TextEncoder().encode(name + '\0'), (at) => this.#c.scene(at)));
+        if (answer.ok) this.#changed(name);
+        return answer;
     }
 
     /** Draw a model from here on. Where it is refused what was drawn before stays.
@@ -205,6 +215,7 @@ export class Engine {
             });
             return c.model_end(0, model.positions instanceof Float32Array ? 1 : 0);
         });
+        if (answer.ok) this.#changed(model.name ?? 'model');
         const losses = answer.ok ? this.#text(c.losses()).split('\n').filter((line) => line !== '') : [];
         return { ...answer, losses: [...(answer.ok ? model.losses ?? [] : []), ...losses] };
     }
@@ -236,7 +247,11 @@ export class Engine {
         const words = this.#words(args);
         const bytes = new TextEncoder().encode(words.map((word) => word + '\0').join('') || '\0');
         const answer = this.#ask(() => this.#with(bytes, (at) => this.#c.configure(at, bytes.length, words.length)));
-        if (answer.ok) this.#args = args;
+        if (answer.ok) {
+            this.#args = args;
+            this.#panel = args.panel ?? (args.falseColors !== undefined ? this.#panel : '');
+            this.#changed(this.#name);
+        }
         return answer;
     }
 
@@ -257,6 +272,7 @@ export class Engine {
     /** The frame of a scene's animation.
      * @param {number} frame  any whole number */
     setTime(frame) {
+        this.#figured = null;
         this.#c.time(frame >>> 0);
     }
 
@@ -298,5 +314,62 @@ export class Engine {
             const c = pixels[i], r = c >> 11, g = c >> 5 & 63, b = c & 31;
             out[i] = 0xff000000 | (b << 3 | b >> 2) << 16 | (g << 2 | g >> 4) << 8 | (r << 3 | r >> 2);
         }
+    }
+
+    #figures() {
+        if (this.#figured === null) {
+            let answer = null;
+            const panel = new TextEncoder().encode((this.#args.panel === undefined ? this.#panel : '') + '\0');
+            const { error } = this.#ask(() => this.#with(panel, (at) => {
+                const text = this.#c.figures(at);
+                answer = text !== 0 ? JSON.parse(this.#text(text)) : null;
+                return answer === null ? 1 : 0;
+            }));
+            this.#figured = answer ?? { ram: { pools: [], arena: 0, total: 0 }, parts: [], error };
+        }
+        return this.#figured;
+    }
+
+    /** RAM that a frame takes on a Cortex-M3, by pool; where no pools were set, those that hold the scene in one pass.
+     * @returns {{pools: {name: string, bytes: number}[], arena: number, total: number, error?: string}} */
+    ram() {
+        const { ram, error } = this.#figures();
+        return error ? { ...ram, error } : ram;
+    }
+
+    /** What a frame takes on each part that zsim budget knows. fps: null where it is not known; why says so. fpsError: a
+     * share: as far off as estimates of demo scenes are, which the estimate was not fitted to.
+     * @returns {{name: string, text: string, core: string, mhz: number, ramBytes: number, flashBytes: number,
+     *            ramUsed: number, flashUsed: number, ramFits: boolean, flashFits: boolean, drawMs: ?number, wireMs: number,
+     *            fps: ?number, fpsError: number, limit: 'drawing'|'wire', why?: string}[]} */
+    parts() {
+        return this.#figures().parts;
+    }
+
+    /** What is wrong with the picture, if anything is.
+     * @returns {string[]} */
+    explain() {
+        this.#said = '';
+        this.#c.explain();
+        return this.#said.split('\n').filter((line) => line !== '').map((line) => line.replace(/^zstrip: [^ ]*: /, ''));
+    }
+
+    /** The model as C for firmware, as `zsim convert` writes it with the options that are set.
+     * @param {string} name  a C identifier
+     * @returns {Object<string, string>} text by file name; of a scene, or a name that is none, an EngineError is thrown */
+    files(name) {
+        const SHARED = ['--cull', '--precise', '--texture-format', '--wrap', '--color', '--simplify'];
+        const words = this.#words(this.#args).filter((word) => SHARED.includes(word.split('=')[0]));
+        if (this.#args.shade !== undefined) words.push(`--shade=${this.#args.shade === 'id' ? 'raw' : this.#args.shade}`);
+        words.push('--name', name, '--out', '.', '--', this.#name);
+        const bytes = new TextEncoder().encode(words.map((word) => word + '\0').join(''));
+        let out = null;
+        const answer = this.#ask(() => this.#with(bytes, (at) => {
+            const text = this.#c.convert(at, bytes.length, words.length);
+            out = text !== 0 ? JSON.parse(this.#text(text)) : null;
+            return out === null ? 1 : 0;
+        }));
+        if (out === null) throw new EngineError(answer.error);
+        return { [`${name}.c`]: out.c, [`${name}.h`]: out.h };
     }
 }

@@ -2,10 +2,12 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include <stdlib.h>
 #include <string.h>
 
 #include "answer.h"
 #include "engine.h"
+#include "explanation.h"
 #include "method_names.h"
 #include "piece_frame.h"
 #include "pieces.h"
@@ -22,6 +24,11 @@ static const struct piece *piece_of(const struct demo *scene)
         if (scene == &pieces[i]->demo)
             return pieces[i];
     return NULL;
+}
+
+int web_scene_is_piece(const struct demo *scene)
+{
+    return piece_of(scene) != NULL;
 }
 
 const struct demo *web_scene_named(const char *name)
@@ -72,8 +79,8 @@ void web_scene_config(struct zs_config *config, const struct demo *scene, const 
         [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
         [SIM_DEPTH_E5M11] = &zs_depth_e5m11, [SIM_DEPTH_FLOAT] = &zs_depth_float,
     };
-    const uint16_t width = o->has_size ? (uint16_t)o->size[0] : scene->width,
-                   height = o->has_size ? (uint16_t)o->size[1] : scene->height;
+    const int own = !o->has_size && o->panel.name == NULL;
+    const uint16_t width = own ? scene->width : (uint16_t)o->size[0], height = own ? scene->height : (uint16_t)o->size[1];
     sim_frame_config(config, width, height, (uint8_t)scene->varyings);
     config->strip_h = (uint16_t)(o->strip < height ? o->strip : height);
     config->max_tris = pool(o->tris);
@@ -89,6 +96,43 @@ void web_scene_config(struct zs_config *config, const struct demo *scene, const 
         config->method = piece->method;
 }
 
+/* What the glass of a panel shows of a frame, where its levels are fewer than the frame's. */
+static int through_panel(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o)
+{
+    struct sim_panel_frame panel;
+    const struct zs_config *c = &out->config;
+    const size_t row = (size_t)c->width * 2u;
+    int status = sim_panel_begin(&panel, &o->panel, scene->name, c->strip_h);
+    const struct zs_sink sink = sim_panel_sink(&panel);
+    uint8_t *px = sim_alloc(row * c->strip_h, 1);
+    for (uint32_t y = 0; status == SIM_OK && y < c->height; y += c->strip_h) {
+        const uint16_t h = (uint16_t)(c->height - y < c->strip_h ? c->height - y : c->strip_h);
+        const uint16_t *from = out->frame.rgb565 + (size_t)y * c->width;
+        for (size_t i = 0; i < row / 2u * h; i++) {
+            px[2 * i] = (uint8_t)(from[i] >> 8);
+            px[2 * i + 1] = (uint8_t)from[i];
+        }
+        const struct zs_strip strip = { .y = (uint16_t)y, .w = c->width, .h = h, .px = px, .n_bytes = (uint32_t)row * h,
+                                        .dirty_w = c->width };
+        if (sink.submit(sink.ctx, &strip) || sink.wait(sink.ctx))
+            break;
+    }
+    if (status == SIM_OK)
+        status = sim_panel_check(&panel, &o->panel, scene->name);
+    if (status == SIM_OK)
+        sim_panel_picture(&out->shown, panel.model, &panel.glass, o->panel.turns);
+    sim_panel_free(&panel);
+    free(px);
+    return status;
+}
+
+static int has_levels(const struct sim_options *o)
+{
+    struct pm_glass glass;
+    return o->panel.name != NULL && sim_panel_glass(&o->panel, NULL, &glass) == SIM_OK &&
+           pm_glass_format(&glass) != PM_RGB565;
+}
+
 int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o)
 {
     const struct piece *piece = piece_of(scene);
@@ -102,9 +146,12 @@ int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const str
                             : sim_frame_render(&out->frame, &at.scene, &at.camera, &out->config, NULL);
     if (err == ZS_OK && o->show != SIM_SHOW_FRAME)
         err = sim_show_draw(&out->shown, NULL, o->show, &at.scene, &at.camera, &out->config, 1.0);
-    if (err == ZS_OK)
+    if (o->explain && piece == NULL)
+        (void)sim_explain(scene->name, &at.scene, &at.camera, &out->config, 1.0);
+    if (err == ZS_OK && (!has_levels(o) || through_panel(out, scene, o) == SIM_OK))
         return SIM_OK;
     sim_render_free(out);
-    return sim_refuse(scene->name, 0, "%s",
-                      err == SIM_FRAME_BROKEN ? "its frame could not be drawn" : zs_error_string(err));
+    return err == ZS_OK ? SIM_REFUSED
+                        : sim_refuse(scene->name, 0, "%s",
+                                     err == SIM_FRAME_BROKEN ? "its frame could not be drawn" : zs_error_string(err));
 }

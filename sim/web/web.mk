@@ -8,7 +8,8 @@ WEB_SIM = $(wildcard $(patsubst %,sim/%/*.c,effect frame compare reference panel
           $(addprefix sim/convert/,cluster.c convert_options.c convert_write.c converted.c grid_step.c hierarchy.c \
               mesh_pieces.c palette.c quantise.c resample.c scene_parts.c simplify.c \
               texel_pack.c) \
-          $(addprefix sim/budget/,budget_figures.c budget_parts.c budget_scene.c costs.c costs_count.c) \
+          $(addprefix sim/budget/,budget_figures.c budget_parts.c budget_scene.c budget_times.c costs.c costs_count.c \
+              costs_error.c) \
           firmware/scenes/gen/font.c
 # meshoptimizer: the source of the library that zsim is linked with, so that models get the same meshes
 MESHOPT = $(B)/web/meshoptimizer/source/src
