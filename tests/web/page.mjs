@@ -122,6 +122,28 @@ await test('web_strip', async () => {
     must((await p.value('location.hash')).includes('strip=48'), 'the link does not hold it');
 });
 
+await test('web_parts', async () => {
+    const rows = JSON.parse(await p.value(`JSON.stringify([...document.querySelectorAll('.part')].map((r) => [r.dataset.part,
+        r.querySelector('.rate').textContent, r.querySelectorAll('.over').length]))`));
+    const of = (name) => rows.find((r) => r[0] === name);
+    must(rows.length >= 10, `${rows.length} parts`);
+    must(Number(of('rp2040')[1].split(' ')[0]) > 5 && of('rp2040')[2] === 0, `rp2040: ${of('rp2040')}`);
+    must(of('nrf51822')[2] > 0 && of('nrf51822')[1] === '–', `nrf51822 has 16 KB: ${of('nrf51822')}`);
+    const before = await p.value(text('fps')), from = await count(p);
+    await p.value('document.querySelector("[data-part=stm32f746]").click()');
+    await settled(p, from);
+    const after = await p.value(text('fps'));
+    must(Number(after) > Number(before), `an STM32F746 draws ${after} frames a second, an RP2040 ${before}`);
+    await change(p, 'part', 'rp2040');
+    same(await p.value(text('fps')), before, 'back on the RP2040');
+    must(/binds/.test(await p.value(text('fps-note'))), 'nothing binds');
+    const bytes = await p.value(text('ram-meter'));
+    await change(p, 'set-strip', '96', 'input');
+    must((await p.value(text('ram-meter'))) !== bytes, 'higher strips take no more RAM');
+    await change(p, 'set-strip', '48', 'input');
+    same(await p.value(text('ram-meter')), bytes, 'RAM of strips of 48 rows');
+});
+
 await test('web_refused', async () => {
     const before = await p.value(SUM);
     await p.value(set('set-width', '5000', 'change'));
@@ -175,6 +197,13 @@ if (existsSync(join(folder, 'held.obj'))) {
         must(drawn > 1000, `zsim drew ${drawn} pixels`);
         same(wrong, 0, 'pixels that differ from those of zsim render');
         return `${width}x${height}, ${drawn} pixels drawn`;
+    });
+
+    await test('web_files', async () => {
+        const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
+            URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };
+            document.getElementById('get-h').click(); })`);
+        must(/THING_RADIUS/.test(got) && /thing_instance/.test(got), got.slice(0, 80));
     });
 
     await test('web_bad_model', async () => {
