@@ -36,6 +36,8 @@ extern struct web web;
 int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o);
 /* The scene of a name; NULL: none. */
 const struct demo *web_scene_named(const char *name);
+/* The same scene from another side. The angles turn its camera about the middle of its instances; distance is a factor. */
+void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by);
 /* Does it have effects? */
 int web_scene_is_piece(const struct demo *scene);
 /* The configuration that options mean for a scene. */

@@ -140,6 +140,8 @@ int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const str
     memset(out, 0, sizeof *out);
     web_scene_config(&out->config, scene, o);
     scene->pose(&at, web.time % scene->frames, out->config.width, out->config.height);
+    if (piece == NULL)
+        web_scene_orbit(&at, &web.orbit);
     int err = piece != NULL ? sim_piece_render(&out->frame, piece, &at, &out->config, NULL, NULL)
                             : sim_frame_render(&out->frame, &at.scene, &at.camera, &out->config, NULL);
     if (err == ZS_OK && o->show != SIM_SHOW_FRAME)
