@@ -243,6 +243,30 @@ test('web_engine_files', (is) => {
     for (const end of ['thing.c', 'thing.h']) is(end, body(files[end]) === body(readFileSync(`${work}/${end}`, 'utf8')), true);
 });
 
+test('web_engine_wrong', (is) => {
+    const { text, model } = ring(48, 20, {});
+    writeFileSync(`${work}/ring.obj`, text);
+    configure({});
+    engine.setModel(model);
+    is('compare', run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, '--compare', '--stats', `${work}/ring.json`).status, 0);
+    const stats = JSON.parse(readFileSync(`${work}/ring.json`, 'utf8'));
+    is('drawn', configure({ falseColors: 'wrong' }).error, '');
+    const own = engine.render().stats;
+    is('missing and extra', [own.wrong_missing, own.wrong_extra], [stats.compare_missing, stats.compare_extra]);
+    engine.setScene('corridor');
+    const right = engine.render().stats;
+    is('the depth buffer is right', right.wrong_color + right.wrong_missing + right.wrong_extra < 30, true);
+    is('the painter', configure({ method: 'painter', falseColors: 'wrong' }).error, '');
+    is('is not', engine.render().stats.wrong_color > 1000, true);
+    const { rgb } = picture();
+    const marks = rgb.filter((v, i) => i % 3 === 0 && v === 255 && rgb[i + 1] === 64 && rgb[i + 2] === 255).length;
+    is('as many are marked', marks, engine.render().stats.wrong_color);
+    configure({ falseColors: 'wrong' });
+    is('a scene', engine.setScene('knot').error, '');
+    is('nearly none', engine.render().stats.wrong_missing < 20, true);
+    is('effects', engine.setScene('cockpit').error, 'cockpit: effects have no reference; choose a scene without');
+});
+
 // ---- Orbit and speed
 
 test('web_engine_orbit', (is) => {
