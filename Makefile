@@ -31,7 +31,8 @@ SCENE = teapot
 all: sim
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
-include .ci/packages.mk firmware/package/package.mk sim/sim.mk tests/tests.mk tests/boards/boards.mk tests/lab/lab.mk
+include .ci/packages.mk firmware/package/package.mk sim/sim.mk sim/web/web.mk sim/web/page.mk tests/tests.mk \
+        tests/boards/boards.mk tests/lab/lab.mk
 
 ## demo: set up, draw the demo scenes as a board would into build/demo/, print what they took
 demo: sim
@@ -39,7 +40,7 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	+@$(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut
+	+@$(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut $(B)/web/index.html
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute
@@ -79,6 +80,10 @@ pico: $(B)/.setup-test
 linux: $(B)/.setup-linux
 	+@$(MAKE_ALL) $(B)/zstrip-linux
 
+## web: build/web/index.html, one page that a browser opens: drop a model, see it on a panel, its frames a second and RAM
+web: $(B)/.setup-web
+	+@$(MAKE_ALL) $(B)/web/index.html
+
 ## clean: remove build/
 clean:
 	rm -rf $(B)
@@ -92,8 +97,8 @@ help:
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
 help-all: help
 	@for mk in $(filter-out .ci/%,$(filter %.mk,$(INCLUDED))); do sed -n '1s/^\# \(.*\)/\1:/p' $$mk; $(LIST) $$mk; done
-.PHONY: all demo test quick t sim firmware show pico linux clean help help-all
+.PHONY: all demo test quick t sim firmware show pico linux web clean help help-all
 
 INCLUDED := $(MAKEFILE_LIST)
--include $(foreach at,core sim test test/narrow fuzz/clang study/*,$(foreach of,firmware hal sim tests,\
+-include $(foreach at,core sim test test/narrow fuzz/clang web study/*,$(foreach of,firmware hal sim tests,\
     $(wildcard $(addprefix $(B)/$(at)/$(of)/,*.d */*.d */*/*.d))))

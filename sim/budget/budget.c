@@ -12,7 +12,6 @@
 
 #include "load_options.h"
 #include "option_help.h"
-#include "record_methods.h"
 #include "option_table.h"
 #include "record_sizes.h"
 #include "sim.h"
@@ -131,35 +130,6 @@ static const struct sim_help help = {
     "Exit status: 0 done; 1 refused, or a limit exceeded; 2 the command line makes no sense.",
 };
 
-/* ---- Times -------------------------------------------------------------------------------------- */
-
-double budget_cpi(const struct budget_request *rq, enum sim_core core)
-{
-    static const double assumed[SIM_CORES] = {
-        [SIM_CORE_M3] = 1.4, [SIM_CORE_M4] = 1.4, [SIM_CORE_M7] = 0.9, [SIM_CORE_RV32] = 1.4
-    };
-    return core == SIM_CORE_RP2040 || core == SIM_CORE_M0 ? 1.0 : rq->has_cpi ? rq->cpi : assumed[core];
-}
-
-double budget_measured(const struct budget *b, enum sim_core core)
-{
-    for (size_t i = 0; b->scene && i < sizeof record_methods / sizeof record_methods[0]; i++)
-        if (strcmp(record_methods[i].core, sim_core_names[core]) == 0 &&
-            strcmp(record_methods[i].method, b->method->name) == 0 && strcmp(record_methods[i].scene, b->scene) == 0)
-            return record_methods[i].instructions;
-    return 0.0;
-}
-
-/* Cortex-M0 and M0+: what was counted on the RP2040, whose core it is. */
-double budget_cycles(const struct budget_request *rq, const struct budget *b, enum sim_core core)
-{
-    if (b->method->method) {
-        const double n = budget_measured(b, core == SIM_CORE_M0 ? SIM_CORE_RP2040 : core);
-        return n > 0.0 ? n * budget_cpi(rq, core) : (double)NAN;
-    }
-    return sim_costs_sum(core == SIM_CORE_M0 ? SIM_CORE_RP2040 : core, &b->counted) * budget_cpi(rq, core);
-}
-
 /* What the figures of one part, or of a core and a clock, are reckoned for. */
 struct target {
     enum sim_core core;
@@ -175,30 +145,6 @@ static struct target target_of(const struct budget_request *rq)
 }
 
 /* ---- Figures ------------------------------------------------------------------------------------ */
-
-struct totals {
-    double ram, flash, draw_ms, frame_ms, fps, fps_single;
-};
-
-/* A frame on the wire of a part: at the clock that was asked for, or the fastest that the part has. */
-static double wire_ms(const struct budget_request *rq, const struct budget *b, const struct budget_part *part)
-{
-    const double asked = (double)rq->o.spi_hz / 1e6;
-    const int slower = part && part->spi_mhz > 0.0 && part->spi_mhz < asked && !(rq->part && rq->o.has_spi);
-    return !b->has_wire ? 0.0 : slower ? b->wire.ms * asked / part->spi_mhz : b->wire.ms;
-}
-
-static void totals_of(struct totals *t, const struct budget_request *rq, const struct budget *b, enum sim_core core,
-                      double mhz, double wire)
-{
-    const enum budget_cpu cpu = budget_cpu_of(core);
-    t->ram = b->ram.total[cpu] + (double)rq->app_ram;
-    t->flash = b->flash[cpu].total + (double)rq->app_flash;
-    t->draw_ms = mhz > 0.0 ? budget_cycles(rq, b, core) / (mhz * 1e3) : (double)NAN;
-    t->frame_ms = b->config.buffers == 2 ? fmax(t->draw_ms, wire) : t->draw_ms + wire;
-    t->fps = 1e3 / t->frame_ms;
-    t->fps_single = 1e3 / (t->draw_ms + wire);
-}
 
 static void print_ram(const struct budget_request *rq, const struct budget *b)
 {
@@ -317,7 +263,7 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
 static void print_parts(const struct budget_request *rq, const struct budget *b)
 {
     const struct target to = target_of(rq);
-    struct totals t;
+    struct budget_totals t;
     printf("\n%-12s %-8s %5s %9s %9s %8s %8s %8s %8s   left of it; frames a second with one buffer and two\n", "part",
            "core", "MHz", "RAM", "flash", "draw ms", "wire ms", "1 buffer", "2");
     for (uint32_t i = 0; i < n_budget_parts; i++) {
@@ -325,8 +271,8 @@ static void print_parts(const struct budget_request *rq, const struct budget *b)
         struct budget_request with = *rq;
         if (rq->part && p != to.part)
             continue;
-        const double wire = wire_ms(rq, b, p);
-        totals_of(&t, &with, b, p->core, rq->part && rq->has_mhz ? rq->mhz : p->mhz, wire);
+        const double wire = budget_wire_ms(rq, b, p);
+        budget_totals(&t, &with, b, p->core, rq->part && rq->has_mhz ? rq->mhz : p->mhz, wire);
         printf("%-12s %-8s %5.0f", p->name, sim_core_names[p->core], rq->part && rq->has_mhz ? rq->mhz : p->mhz);
         const char *const too = t.ram > p->ram || t.flash > p->flash ? "   too small" : "";
         if (isnan(t.draw_ms))
@@ -368,9 +314,9 @@ static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct 
 {
     const struct target to = target_of(rq);
     const enum budget_cpu cpu = budget_cpu_of(to.core);
-    struct totals t;
+    struct budget_totals t;
     size_t n = 0;
-    totals_of(&t, rq, b, to.core, to.mhz, wire_ms(rq, b, to.part));
+    budget_totals(&t, rq, b, to.core, to.mhz, budget_wire_ms(rq, b, to.part));
     if (rq->elf) {
         t.flash = elf[0];
         t.ram = elf[1];
@@ -431,21 +377,6 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
 
 /* ---- Command line
  * -------------------------------------------------------------------------------------------------------- */
-
-void budget_defaults(struct budget_request *rq)
-{
-    memset(rq, 0, sizeof *rq);
-    sim_options_defaults(&rq->o);
-    rq->coverage = 50.0;
-    rq->complexity = 1.5;
-    rq->instances = 1;
-    rq->core = SIM_CORE_M3;
-    rq->bar = 15.0;
-    rq->ram = 16384;
-    rq->color_bits = rq->bits_of_depth = rq->access_bits = 32;
-    rq->samples = 1;
-    rq->fragments = 4.0;
-}
 
 static int take(struct budget_request *rq, char seen[N_TABLE], int argc, char **argv)
 {

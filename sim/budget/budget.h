@@ -114,6 +114,17 @@ double budget_cycles(const struct budget_request *rq, const struct budget *b, en
 /* Cycles of an instruction there: 1 where cycles were counted. */
 double budget_cpi(const struct budget_request *rq, enum sim_core core);
 
+/* Milliseconds of a frame on the wire of a part: at the clock that was asked for, or the fastest that the part has; 0
+ * without a panel. part NULL: no part's limit. */
+double budget_wire_ms(const struct budget_request *rq, const struct budget *b, const struct budget_part *part);
+
+/* A core at a clock, 0: not known, with so long a wire. NAN: not known. */
+struct budget_totals {
+    double ram, flash, draw_ms, frame_ms, fps, fps_single; /* the last with one buffer */
+};
+void budget_totals(struct budget_totals *t, const struct budget_request *rq, const struct budget *b, enum sim_core core,
+                   double mhz, double wire);
+
 /* ---- Answers ------------------------------------------------------------------------------------ */
 
 /* --fit: the largest strip, and the largest scene, that a part takes. */

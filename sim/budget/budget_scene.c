@@ -22,6 +22,23 @@
 #include "sim.h"
 #include "framing.h"
 
+/* ---- What a request is where nothing is said ----------------------------------------------------- */
+
+void budget_defaults(struct budget_request *rq)
+{
+    memset(rq, 0, sizeof *rq);
+    sim_options_defaults(&rq->o);
+    rq->coverage = 50.0;
+    rq->complexity = 1.5;
+    rq->instances = 1;
+    rq->core = SIM_CORE_M3;
+    rq->bar = 15.0;
+    rq->ram = 16384;
+    rq->color_bits = rq->bits_of_depth = rq->access_bits = 32;
+    rq->samples = 1;
+    rq->fragments = 4.0;
+}
+
 /* ---- What is linked, and its data --------------------------------------------------------------- */
 
 static uint32_t shade_bit(const struct zs_shader *s)

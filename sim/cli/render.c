@@ -535,3 +535,40 @@ int sim_render(int argc, char **argv)
     job_free(job);
     return status;
 }
+
+/* ---- A frame for other programs ---------------------------------------------------------------- */
+
+int sim_render_all(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o)
+{
+    static const struct sim_model none;
+    struct job *job = sim_alloc(1, sizeof *job);
+    memset(out, 0, sizeof *out);
+    job->options = *o;
+    job->model = *model;
+    int status = sim_view_plan(&job->view, o, model);
+    if (status == SIM_OK)
+        status = draw_frame(job);
+    if (status == SIM_OK) {
+        *out = (struct sim_rendered){ .view = job->view,
+                                      .config = job->config,
+                                      .frame = job->frame,
+                                      .shown = job->shown,
+                                      .parts = job->scene.n_parts,
+                                      .verts = job->scene.n_verts };
+        memcpy(out->lost, job->scene.lost, sizeof out->lost);
+        if (o->panel.name != NULL)
+            picture_of(&out->shown, job);
+        memset(&job->frame, 0, sizeof job->frame); /* the caller's */
+        memset(&job->shown, 0, sizeof job->shown);
+    }
+    job->model = none; /* the caller's */
+    job_free(job);
+    return status;
+}
+
+void sim_render_free(struct sim_rendered *r)
+{
+    sim_frame_free(&r->frame);
+    sim_picture_free(&r->shown);
+    memset(r, 0, sizeof *r);
+}

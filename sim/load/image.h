@@ -42,6 +42,9 @@ int sim_picture_save(const struct sim_picture *p, const char *png, const char *r
 void sim_pgm_write(FILE *f, uint32_t width, uint32_t height, const uint16_t *value);
 void sim_u32_write(FILE *f, const uint32_t *value, size_t n);
 
+/* Values of 1 or 2 bytes, most significant first. Errors likewise. */
+void sim_values_write(FILE *f, const uint16_t *value, size_t n, int n_bytes);
+
 /* A picture from a file. */
 struct sim_image {
     uint32_t width, height; /* px, 1 .. SIM_IMAGE_MAX */

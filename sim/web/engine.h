@@ -1,0 +1,53 @@
+/* The simulator for a page: what engine.js calls. One scene, one set of options, one frame at a time.
+ *
+ * Texts come and go as '\0'-terminated UTF-8; answers are JSON (answer.h). What is refused says why on stderr, as zsim
+ * does, and changes nothing.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef WEB_ENGINE_H
+#define WEB_ENGINE_H
+
+#include "model.h"
+#include "render.h"
+#include "scenes.h"
+#include "wrong.h"
+
+#define WEB_EXPORT(name) __attribute__((export_name(#name)))
+
+/* Where the camera stands, beside where it would: angles in radians, distance as a factor. */
+struct web_orbit {
+    double yaw, pitch, distance;
+};
+
+struct web {
+    struct sim_options options; /* of zsim render; its texts lie in *words */
+    char *words;                /* '\0'-terminated one by one */
+    struct web_orbit orbit;
+    const struct demo *scene;   /* NULL: a model */
+    const char *name;           /* of either; NULL: nothing was chosen */
+    uint32_t time;              /* frame of a scene's animation */
+    struct sim_model model;
+    struct sim_options chosen;  /* the options, with the shading that was chosen for the model */
+    struct sim_rendered drawn;  /* the last good frame; width 0: none */
+    struct web_wrong wrong;     /* of the last comparison */
+};
+extern struct web web;
+
+/* A demo scene's frame. SIM_OK; SIM_REFUSED, said why. */
+int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o);
+/* The scene of a name; NULL: none. */
+const struct demo *web_scene_named(const char *name);
+/* The same scene from another side. The angles turn its camera about the middle of its instances; distance is a factor. */
+void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by);
+/* Does it have effects? */
+int web_scene_is_piece(const struct demo *scene);
+/* The configuration that options mean for a scene. */
+void web_scene_config(struct zs_config *config, const struct demo *scene, const struct sim_options *o);
+
+/* The model that was handed over, as options ask for it; *o gets the shading that is chosen. */
+int web_model_load(struct sim_model *model, struct sim_options *o);
+/* Its frame. */
+int web_model_draw(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o);
+
+#endif

@@ -1,0 +1,64 @@
+/* Files that were dropped or picked, to what engine.setModel takes. SPDX-License-Identifier: MIT */
+import { BadModel } from './read_text.js';
+import { readObj } from './read_obj.js';
+import { readStl } from './read_stl.js';
+import { readPly } from './read_ply.js';
+import { readGltf } from './read_gltf.js';
+
+const MODEL = /\.(obj|stl|ply|gltf|glb)$/i;
+const baseName = (path) => path.split(/[\\/]/).pop();
+
+async function decodePicture(bytes) {
+    const image = await createImageBitmap(new Blob([bytes]), { premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext('2d', { willReadFrequently: true });
+    context.drawImage(image, 0, 0);
+    return { width: image.width, height: image.height, rgba: context.getImageData(0, 0, image.width, image.height).data };
+}
+
+/* Textures are names of files, data URIs or bytes; what cannot be loaded is said, and its faces are drawn plain. */
+async function loadTextures(model, given) {
+    const numbers = [], textures = [];
+    for (const texture of model.textures) {
+        let bytes = texture;
+        if (typeof texture === 'string')
+            bytes = texture.startsWith('data:') ? Uint8Array.from(atob(texture.slice(texture.indexOf(',') + 1)), (c) => c.charCodeAt(0))
+                : given.get(baseName(decodeURIComponent(texture)).toLowerCase()) || null;
+        try {
+            if (!bytes) throw new Error('missing');
+            textures.push(await decodePicture(bytes));
+            numbers.push(textures.length - 1);
+        } catch (e) {
+            const what = typeof texture === 'string' && !texture.startsWith('data:') ? texture : 'a texture';
+            model.losses.push(bytes ? `${what} is no picture that this browser reads: its faces are plain`
+                : `${what} was not given: drop it with the model`);
+            numbers.push(-1);
+        }
+    }
+    for (const m of model.materials) {
+        m.texture = m.texture === undefined ? undefined : numbers[m.texture];
+        if (m.texture === undefined || m.texture < 0) delete m.texture;
+    }
+    model.textures = textures;
+    return model;
+}
+
+/** Read a model. files: of a drop or a file picker. Throws BadModel with one sentence. */
+export async function readModel(files) {
+    const given = new Map();
+    for (const file of files) given.set(baseName(file.name).toLowerCase(), new Uint8Array(await file.arrayBuffer()));
+    const file = [...files].find((f) => MODEL.test(f.name));
+    if (!file) {
+        const first = files[0] ? files[0].name : 'nothing';
+        throw new BadModel(first, 0, 'is no model that is read here; take OBJ, STL, PLY, glTF or GLB');
+    }
+    const bytes = given.get(baseName(file.name).toLowerCase());
+    if (bytes.length === 0) throw new BadModel(file.name, 0, 'is empty; get the model again');
+    const other = (path) => given.get(baseName(path).toLowerCase()) || null;
+    const text = (b) => new TextDecoder().decode(b);
+    const kind = MODEL.exec(file.name)[1].toLowerCase();
+    const model = kind === 'obj' ? readObj(file.name, text(bytes), (path) => (other(path) ? text(other(path)) : null))
+        : kind === 'stl' ? readStl(file.name, bytes)
+            : kind === 'ply' ? readPly(file.name, bytes) : readGltf(file.name, bytes, other);
+    return loadTextures(model, given);
+}

@@ -1,0 +1,194 @@
+/* glTF 2.0, .gltf and .glb: triangles of the scene's nodes in their places, base colours and their textures.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+import { BadModel, Corners } from './read_text.js';
+
+const SIZE = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
+const VALUE = {
+    5120: ['getInt8', 1, 127], 5121: ['getUint8', 1, 255], 5122: ['getInt16', 2, 32767],
+    5123: ['getUint16', 2, 65535], 5125: ['getUint32', 4, 1], 5126: ['getFloat32', 4, 1],
+};
+
+function dataUri(uri) {
+    const comma = uri.indexOf(','), body = decodeURIComponent(uri.slice(comma + 1));
+    return Uint8Array.from(/;base64$/.test(uri.slice(0, comma)) ? atob(body) : body, (c) => c.charCodeAt(0));
+}
+
+function splitGlb(name, bytes) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    if (bytes.length < 20 || view.getUint32(8, true) > bytes.length)
+        throw new BadModel(name, 0, 'cut off: it is shorter than its header says; get the whole file');
+    const length = view.getUint32(12, true);
+    const json = new TextDecoder().decode(bytes.subarray(20, 20 + length));
+    const at = 20 + length;
+    return { json, bin: at + 8 <= bytes.length ? bytes.subarray(at + 8, at + 8 + view.getUint32(at, true)) : null };
+}
+
+/* A matrix, column by column, of a node. */
+function matrixOf(node) {
+    if (node.matrix) return node.matrix;
+    const [x, y, z, w] = node.rotation || [0, 0, 0, 1], s = node.scale || [1, 1, 1], t = node.translation || [0, 0, 0];
+    return [
+        (1 - 2 * (y * y + z * z)) * s[0], 2 * (x * y + z * w) * s[0], 2 * (x * z - y * w) * s[0], 0,
+        2 * (x * y - z * w) * s[1], (1 - 2 * (x * x + z * z)) * s[1], 2 * (y * z + x * w) * s[1], 0,
+        2 * (x * z + y * w) * s[2], 2 * (y * z - x * w) * s[2], (1 - 2 * (x * x + y * y)) * s[2], 0,
+        t[0], t[1], t[2], 1,
+    ];
+}
+
+function times(a, b) {
+    const out = new Array(16);
+    for (let c = 0; c < 4; c++)
+        for (let r = 0; r < 4; r++)
+            out[4 * c + r] = a[r] * b[4 * c] + a[4 + r] * b[4 * c + 1] + a[8 + r] * b[4 * c + 2] + a[12 + r] * b[4 * c + 3];
+    return out;
+}
+
+class Gltf {
+    constructor(name, json, bin, other) {
+        this.name = name;
+        this.json = json;
+        this.corners = new Corners();
+        this.losses = new Set();
+        this.buffers = (json.buffers || []).map((b, i) => {
+            const got = b.uri === undefined ? bin : b.uri.startsWith('data:') ? dataUri(b.uri) : other(decodeURIComponent(b.uri));
+            if (!got) throw new BadModel(name, 0, `its buffer ${b.uri || i} was not given; drop it with the model`);
+            return got;
+        });
+    }
+
+    fail(why) {
+        throw new BadModel(this.name, 0, why);
+    }
+
+    /** Values of an accessor, a row an element. */
+    rows(number) {
+        const a = (this.json.accessors || [])[number];
+        if (!a) this.fail(`accessor ${number} is missing; export the model again`);
+        if (a.sparse) this.fail('sparse accessors are not read; export the model without them');
+        const type = VALUE[a.componentType], n = SIZE[a.type];
+        const v = (this.json.bufferViews || [])[a.bufferView];
+        if (!type || !n || !v) this.fail(`accessor ${number} makes no sense; export the model again`);
+        const bytes = this.buffers[v.buffer], start = (v.byteOffset || 0) + (a.byteOffset || 0);
+        const stride = v.byteStride || n * type[1], end = start + stride * (a.count - 1) + n * type[1];
+        if (!bytes || end > bytes.length) this.fail(`accessor ${number} goes beyond its buffer; the file may be cut off`);
+        const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength), out = [];
+        for (let i = 0; i < a.count; i++) {
+            const row = [];
+            for (let k = 0; k < n; k++) {
+                const raw = view[type[0]](start + i * stride + k * type[1], true);
+                row.push(a.normalized ? raw / type[2] : raw);
+            }
+            out.push(row);
+        }
+        return out;
+    }
+
+    primitive(p, m) {
+        if ((p.mode ?? 4) !== 4) {
+            this.losses.add('points, lines and strips of triangles are left out');
+            return;
+        }
+        if (p.extensions && p.extensions.KHR_draco_mesh_compression)
+            this.fail('its meshes are compressed by Draco, which is not read; export it without');
+        if (p.attributes.POSITION === undefined) return;
+        const points = this.rows(p.attributes.POSITION);
+        const normals = p.attributes.NORMAL === undefined ? null : this.rows(p.attributes.NORMAL);
+        const uvs = p.attributes.TEXCOORD_0 === undefined ? null : this.rows(p.attributes.TEXCOORD_0);
+        const colors = p.attributes.COLOR_0 === undefined ? null : this.rows(p.attributes.COLOR_0);
+        const order = p.indices === undefined ? points.map((_, i) => i) : this.rows(p.indices).map((r) => r[0]);
+        const cof = cofactors(m), made = new Array(points.length);
+        const vertex = (i) => {
+            if (i >= points.length) this.fail(`vertex index ${i} is out of range: ${points.length} exist`);
+            if (made[i] !== undefined) return made[i];
+            const [x, y, z] = points[i];
+            const at = [0, 1, 2].map((r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]);
+            if (!at.every(Number.isFinite)) this.fail(`vertex ${i + 1} has a coordinate that is not finite; export it again`);
+            const n = normals && [0, 1, 2].map((r) => cof.row[r].reduce((s, c, k) => s + c * normals[i][k], 0));
+            const length = n ? Math.hypot(...n) : 0;
+            return (made[i] = this.corners.vertex(null, at, length > 0 ? n.map((c) => c / length) : null,
+                uvs ? uvs[i] : null, colors ? colors[i] : null));
+        };
+        for (let t = 0; t + 2 < order.length; t += 3) {
+            const c = [order[t], order[t + 1], order[t + 2]].map(vertex);
+            this.corners.polygon(cof.mirrored ? [c[0], c[2], c[1]] : c, p.material ?? this.plain());
+        }
+    }
+
+    plain() {
+        this.usesPlain = true;
+        return (this.json.materials || []).length;
+    }
+
+    walk() {
+        const { scenes = [], nodes = [], scene = 0 } = this.json;
+        const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+        const stack = [...((scenes[scene] || {}).nodes || nodes.map((_, i) => i))].reverse().map((n) => [n, identity, 0]);
+        while (stack.length > 0) {
+            const [number, parent, depth] = stack.pop(), node = nodes[number];
+            if (!node) this.fail(`node ${number} is missing; export the model again`);
+            if (depth > 256) this.fail('nodes stand more than 256 deep; flatten the model');
+            const m = times(parent, matrixOf(node));
+            const mesh = node.mesh === undefined ? null : (this.json.meshes || [])[node.mesh];
+            for (const p of mesh ? mesh.primitives : []) this.primitive(p, m);
+            for (const child of [...(node.children || [])].reverse()) stack.push([child, m, depth + 1]);
+            if (node.skin !== undefined) this.losses.add('skins are left out: the model stands as it was built');
+        }
+        if ((this.json.animations || []).length > 0) this.losses.add('animations are left out');
+    }
+
+    materials() {
+        const out = (this.json.materials || []).map((m, i) => {
+            const pbr = m.pbrMetallicRoughness || {}, base = pbr.baseColorFactor || [1, 1, 1, 1];
+            const made = {
+                name: m.name || `material ${i + 1}`, color: base.slice(0, 3), opacity: m.alphaMode === 'BLEND' ? base[3] : 1,
+                alpha: (m.alphaMode || 'OPAQUE').toLowerCase(), alphaLeast: m.alphaCutoff ?? 0.5, twoSided: !!m.doubleSided,
+                saysAlpha: true, textureFactor: base.slice(0, 3),
+            };
+            if (pbr.baseColorTexture) made.texture = pbr.baseColorTexture.index;
+            if (m.emissiveFactor && m.emissiveFactor.some((c) => c > 0)) made.emission = m.emissiveFactor;
+            if (m.extensions && m.extensions.KHR_materials_unlit) made.unlit = true;
+            return made;
+        });
+        if (this.usesPlain) out.push({ name: '' });
+        return out;
+    }
+
+    textures() {
+        return (this.json.textures || []).map((t) => {
+            const image = (this.json.images || [])[t.source] || {};
+            if (image.bufferView === undefined) return image.uri || '';
+            const v = this.json.bufferViews[image.bufferView];
+            return this.buffers[v.buffer].subarray(v.byteOffset || 0, (v.byteOffset || 0) + v.byteLength);
+        });
+    }
+}
+
+/* How normals go with a placement: its cofactors, with the sign that keeps outside outside. */
+function cofactors(m) {
+    const at = (r, c) => m[4 * c + r], row = [];
+    for (let i = 0; i < 3; i++)
+        row.push([0, 1, 2].map((j) => at((i + 1) % 3, (j + 1) % 3) * at((i + 2) % 3, (j + 2) % 3) -
+            at((i + 1) % 3, (j + 2) % 3) * at((i + 2) % 3, (j + 1) % 3)));
+    const mirrored = at(0, 0) * row[0][0] + at(0, 1) * row[0][1] + at(0, 2) * row[0][2] < 0;
+    return { mirrored, row: mirrored ? row.map((r) => r.map((c) => -c)) : row };
+}
+
+/** Read glTF. other: the bytes of a file that it names, or null. @return what engine.setModel takes; textures are names
+ * of files, data URIs or bytes */
+export function readGltf(name, bytes, other = () => null) {
+    const binary = bytes.length >= 4 && String.fromCharCode(...bytes.subarray(0, 4)) === 'glTF';
+    const { json, bin } = binary ? splitGlb(name, bytes) : { json: new TextDecoder().decode(bytes), bin: null };
+    let parsed;
+    try {
+        parsed = JSON.parse(json);
+    } catch (e) {
+        throw new BadModel(name, 0, 'its JSON does not end or is broken; get the whole file');
+    }
+    if (!parsed || typeof parsed !== 'object' || !parsed.asset) throw new BadModel(name, 0, 'is no glTF: it has no `asset`');
+    const gltf = new Gltf(name, parsed, bin, other);
+    gltf.walk();
+    if (gltf.corners.indices.length === 0) throw new BadModel(name, 0, 'no triangles in it');
+    return gltf.corners.model(name, { materials: gltf.materials(), textures: gltf.textures(), losses: [...gltf.losses], uvDown: true });
+}

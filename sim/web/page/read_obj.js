@@ -1,0 +1,131 @@
+/* OBJ and MTL. Positions keep double precision, as zsim's do, so that the same pixels come out.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+import { BadModel, Corners } from './read_text.js';
+
+/** Materials of an MTL file by name: kd, ke, ks, ns, d, map. */
+export function readMtl(text) {
+    const materials = new Map();
+    let now = null;
+    for (const raw of text.split(/\r?\n/)) {
+        const word = raw.replace(/#.*/, '').trim().split(/\s+/);
+        const numbers = word.slice(1).map(Number);
+        if (word[0] === 'newmtl') {
+            now = { name: raw.trim().slice(6).trim(), color: [1, 1, 1] };
+            materials.set(now.name, now);
+        } else if (now === null) {
+            continue;
+        } else if (word[0] === 'Kd' && numbers.length >= 3) {
+            now.color = numbers.slice(0, 3);
+        } else if (word[0] === 'Ke' && numbers.length >= 3) {
+            now.emission = numbers.slice(0, 3);
+        } else if (word[0] === 'Ks' && numbers.length >= 3) {
+            now.specular = numbers.slice(0, 3);
+        } else if (word[0] === 'Ns') {
+            now.power = numbers[0];
+        } else if (word[0] === 'd' && Number.isFinite(numbers[0])) {
+            now.opacity = numbers[0];
+        } else if (word[0] === 'Tr' && Number.isFinite(numbers[0])) {
+            now.opacity = 1 - numbers[0];
+        } else if (word[0] === 'map_Kd') {
+            now.map = raw.trim().split(/\s+/).pop();
+        }
+    }
+    return materials;
+}
+
+/** Read an OBJ.
+ * @param {string} name of the file, for messages
+ * @param {string} text
+ * @param {(mtl: string) => string|null} other the text of a file that it names; null: it was not given
+ * @return what engine.setModel takes; textures are names of files */
+export function readObj(name, text, other = () => null) {
+    const points = [], tints = [], normals = [], uvs = [];
+    const corners = new Corners(), losses = [];
+    const lost = new Set();
+    let library = new Map();
+    const materials = [], numberOf = new Map(), textures = [];
+    let material = 0;
+
+    const lines = text.replace(/^\ufeff/, '').replace(/\\\r?\n/g, ' ').split(/\r\n|\n|\r/);
+    const fail = (line, why) => {
+        throw new BadModel(name, line + 1, why);
+    };
+    const number = (word, line) => {
+        const v = word === undefined || word === '' ? NaN : Number(word);
+        if (!Number.isFinite(v)) fail(line, `'${word}' is not a number`);
+        return v;
+    };
+    const take = (word, n, what, line) => {
+        if (word.length - 1 < n) fail(line, `${what} with ${word.length - 1} of its ${n} numbers; the file may be cut off`);
+        const out = [];
+        for (let i = 1; i <= n; i++) out.push(number(word[i], line));
+        return out;
+    };
+    const index = (word, count, what, line) => {
+        const i = Number(word);
+        if (!Number.isInteger(i)) fail(line, `'${word}' is not a corner of a face`);
+        if (i === 0) fail(line, `${what} index 0; indices count from 1, or back from -1`);
+        const at = i > 0 ? i - 1 : count + i;
+        if (at < 0 || at >= count) fail(line, `${what} index ${i} is out of range: there are ${count} so far`);
+        return at;
+    };
+    const use = (wanted) => {
+        if (!numberOf.has(wanted)) {
+            const from = library.get(wanted);
+            const made = from ? { ...from } : { name: wanted };
+            if (from && from.map !== undefined && from.color.some((c) => c > 0)) made.textureFactor = from.color;
+            if (made.map !== undefined) {
+                made.texture = textures.indexOf(made.map);
+                if (made.texture < 0) made.texture = textures.push(made.map) - 1;
+            }
+            numberOf.set(wanted, materials.push(made) - 1);
+        }
+        material = numberOf.get(wanted);
+    };
+
+    for (let line = 0; line < lines.length; line++) {
+        const body = lines[line].split('#', 1)[0].trim();
+        if (body === '') continue;
+        const word = body.split(/\s+/);
+        if (word[0] === 'v') {
+            points.push(take(word, 3, 'a vertex', line));
+            tints.push(word.length >= 7 ? [4, 5, 6].map((i) => number(word[i], line)) : null);
+        } else if (word[0] === 'vn') {
+            normals.push(take(word, 3, 'a normal', line));
+        } else if (word[0] === 'vt') {
+            const uv = [number(word[1], line), word.length > 2 ? number(word[2], line) : 0];
+            uvs.push(uv);
+        } else if (word[0] === 'f') {
+            if (word.length < 4) fail(line, `a face of ${word.length - 1} vertices; it needs at least 3`);
+            if (materials.length === 0) use('');
+            const fan = [];
+            for (let k = 1; k < word.length; k++) {
+                const part = word[k].split('/');
+                const p = index(part[0], points.length, 'vertex', line);
+                const t = part.length > 1 && part[1] !== '' ? index(part[1], uvs.length, 'texture', line) : -1;
+                const n = part.length > 2 && part[2] !== '' ? index(part[2], normals.length, 'normal', line) : -1;
+                fan.push(corners.vertex(`${p}/${t}/${n}`, points[p], n < 0 ? null : normals[n], t < 0 ? null : uvs[t], tints[p]));
+            }
+            corners.polygon(fan, material);
+        } else if (word[0] === 'usemtl') {
+            use(body.slice(6).trim());
+        } else if (word[0] === 'mtllib') {
+            const file = body.slice(6).trim(), got = other(file);
+            if (got === null) {
+                losses.push(`material file ${file} was not given: drop it with the model`);
+            } else {
+                library = new Map([...library, ...readMtl(got)]);
+            }
+        } else if (word[0] === 'l' || word[0] === 'p') {
+            lost.add('lines and points');
+        } else if (!/^(o|g|s|vp|usemap|lod|bevel|c_interp|d_interp)$/.test(word[0]) && points.length === 0 && line > 20) {
+            fail(line, `'${word[0].slice(0, 20)}' is no element of OBJ text`);
+        }
+    }
+    if (corners.indices.length === 0)
+        throw new BadModel(name, 0, 'no faces in it; zsim draws `f` elements of OBJ text');
+    for (const what of lost) losses.push(`${what} are left out`);
+    return corners.model(name, { materials, textures, losses, single: false });
+}

@@ -1,0 +1,71 @@
+/* What readers of model files share: errors that name the file and the line, a growing list of corners.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+
+/** A file that is not taken. The message is one sentence: what is wrong, where, and what to do. */
+export class BadModel extends Error {
+    /** @param {string} file @param {number} line 0: none @param {string} why */
+    constructor(file, line, why) {
+        super(line > 0 ? `${file}:${line}: ${why}` : `${file}: ${why}`);
+        this.name = 'BadModel';
+    }
+}
+
+/** Corners of triangles in file order, each with what the file gives it. A vertex is a distinct set of those. */
+export class Corners {
+    constructor() {
+        this.positions = [];
+        this.normals = [];
+        this.uvs = [];
+        this.colors = [];
+        this.indices = [];
+        this.triMaterial = [];
+        this.hasNormals = this.hasUvs = this.hasColors = false;
+        this.known = new Map();
+    }
+
+    /** The number of a vertex. key: what makes it distinct; normal, uv and color may be null. */
+    vertex(key, position, normal, uv, color) {
+        let n = key === null ? undefined : this.known.get(key);
+        if (n !== undefined) return n;
+        n = this.positions.length / 3;
+        if (key !== null) this.known.set(key, n);
+        this.positions.push(position[0], position[1], position[2]);
+        const at = normal || [0, 0, 0];
+        this.normals.push(at[0], at[1], at[2]);
+        const to = uv || [NaN, NaN];
+        this.uvs.push(to[0], to[1]);
+        const tint = color || [0.8, 0.8, 0.8];
+        this.colors.push(tint[0], tint[1], tint[2]);
+        this.hasNormals ||= !!normal;
+        this.hasUvs ||= !!uv;
+        this.hasColors ||= !!color;
+        return n;
+    }
+
+    /** A polygon as a fan from its first corner. */
+    polygon(corners, material) {
+        for (let i = 2; i < corners.length; i++) {
+            this.indices.push(corners[0], corners[i - 1], corners[i]);
+            this.triMaterial.push(material);
+        }
+    }
+
+    /** What engine.setModel takes. single: the format has single precision; uvDown: v counts from a picture's top. */
+    model(name, { materials = [], textures = [], losses = [], uvDown = false, single = true } = {}) {
+        return {
+            name,
+            positions: (single ? Float32Array : Float64Array).from(this.positions),
+            indices: Uint32Array.from(this.indices),
+            normals: this.hasNormals ? Float32Array.from(this.normals) : undefined,
+            uvs: this.hasUvs ? Float64Array.from(this.uvs) : undefined,
+            uvDown,
+            colors: this.hasColors ? Float32Array.from(this.colors) : undefined,
+            materials,
+            triMaterial: Uint32Array.from(this.triMaterial),
+            textures,
+            losses,
+        };
+    }
+}

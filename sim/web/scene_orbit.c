@@ -1,0 +1,63 @@
+/* A demo scene seen from another side: its camera goes around the middle of what is there.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+
+#include "engine.h"
+
+#define Q30 1073741824.0
+
+/* v turned about a unit axis (Rodrigues' formula). */
+static void turn(double v[3], const double axis[3], double angle)
+{
+    const double c = cos(angle), s = sin(angle), dot = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
+    const double cross[3] = { axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
+                              axis[0] * v[1] - axis[1] * v[0] };
+    for (int k = 0; k < 3; k++)
+        v[k] = v[k] * c + cross[k] * s + axis[k] * dot * (1.0 - c);
+}
+
+/* How far the middle of the instances is along the view, between near and far. */
+static double middle(const struct demo_frame *at, const double back[3])
+{
+    const struct zs_camera *camera = &at->camera;
+    const double lo = (double)camera->z_near / 65536.0, hi = (double)camera->z_far / 65536.0;
+    double sum = 0.0;
+    for (uint32_t i = 0; i < at->scene.n_instances; i++)
+        for (int k = 0; k < 3; k++)
+            sum -= back[k] * ((double)at->scene.instance[i].pose.pos[k] - (double)camera->pos[k]);
+    const double z = at->scene.n_instances > 0 ? sum / at->scene.n_instances : lo;
+    return fmin(fmax(z, 2.0 * lo), hi);
+}
+
+void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by)
+{
+    static const double up[3] = { 0.0, 1.0, 0.0 };
+    struct zs_camera *camera = &at->camera;
+    double row[3][3], offset[3];
+    if (by->yaw == 0.0 && by->pitch == 0.0 && by->distance == 1.0)
+        return;
+    for (int i = 0; i < 9; i++)
+        row[i / 3][i % 3] = (double)camera->rot[i] / Q30;
+    if (camera->rot[0] == 0 && camera->rot[4] == 0 && camera->rot[8] == 0 && camera->rot[2] == 0)
+        row[0][0] = row[1][1] = row[2][2] = 1.0; /* no rotation */
+    const double z = middle(at, row[2]);
+    for (int k = 0; k < 3; k++)
+        offset[k] = row[2][k] * z;
+    double eye[3];
+    for (int k = 0; k < 3; k++)
+        eye[k] = (double)camera->pos[k] - offset[k];
+    for (int i = 0; i < 3; i++)
+        turn(row[i], up, by->yaw);
+    turn(row[1], row[0], -by->pitch);
+    turn(row[2], row[0], -by->pitch);
+    for (int k = 0; k < 3; k++)
+        camera->pos[k] = (int32_t)lround(eye[k] + row[2][k] * z * by->distance);
+    for (int i = 0; i < 9; i++)
+        camera->rot[i] = (int32_t)lround(row[i / 3][i % 3] * Q30);
+    if (by->distance > 1.0)
+        camera->z_far += (int64_t)(z * (by->distance - 1.0) * 65536.0);
+    else
+        camera->z_near = (int64_t)((double)camera->z_near * by->distance);
+}

@@ -1,0 +1,257 @@
+/* The page as a browser shows it: opened from a file, with models dropped into it.
+ *
+ * Usage: node tests/web/page.mjs PAGE.html FOLDER
+ * FOLDER has held.obj, bad.obj, and held.rgb: raw pixels that zsim drew of held.obj, at held.size "W H".
+ *
+ * SPDX-License-Identifier: MIT
+ */
+import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { Browser } from './browser.mjs';
+
+const [page, folder] = process.argv.slice(2);
+const MOST_BYTES = 1500000;
+const url = `file://${page}`;
+let failed = 0;
+
+const ok = (name, what = '') => console.log(`ok ${name}${what ? ` (${what})` : ''}`);
+const bad = (name, why) => {
+    console.log(`FAILED ${name}: ${String(why).replace(/\n/g, ' | ')}`);
+    failed = 1;
+};
+/* A test: `what` gives a note, or throws. */
+async function test(name, what) {
+    try {
+        ok(name, await what());
+    } catch (e) {
+        bad(name, e.message);
+    }
+}
+function must(truth, why) {
+    if (!truth) throw new Error(why);
+}
+function same(got, wanted, what) {
+    must(got === wanted, `${what}: ${JSON.stringify(got)} in place of ${JSON.stringify(wanted)}`);
+}
+
+/* How much slower this machine is now than an idle one: a loop that takes 300 ms there. */
+function slowness() {
+    const times = [];
+    for (let i = 0; i < 3; i++) {
+        const begun = performance.now();
+        let h = 1;
+        for (let k = 0; k < 6e7; k++) h = Math.imul(h ^ k, 0x9e3779b1) + (h >>> 15);
+        times.push((performance.now() - begun) / 300 + (h === 7 ? 1 : 0));
+    }
+    return Math.max(1, ...times);
+}
+
+const READY = 'document.documentElement.dataset.ready';
+const text = (id) => `document.getElementById('${id}').textContent`;
+/* The pixels on the glass, c its size, read from a copy; and a checksum of them. */
+const PIXELS = `const c = document.getElementById('glass'), copy = new OffscreenCanvas(c.width, c.height);
+    const on = copy.getContext('2d', { willReadFrequently: true }); on.drawImage(c, 0, 0);
+    const d = on.getImageData(0, 0, c.width, c.height).data;`;
+const SUM = `(() => { ${PIXELS}
+    let h = 2166136261; for (const v of d) h = Math.imul(h ^ v, 16777619); return (h >>> 0) + ' ' + c.width + 'x' + c.height; })()`;
+const set = (id, value, event) => `(() => { const e = document.getElementById('${id}'); e.value = '${value}';
+    e.dispatchEvent(new Event('${event}', { bubbles: true })); })()`;
+/* Until the figures beside the picture are those of what is set now. */
+const settled = async (p, from) => p.until(`Number(document.documentElement.dataset.settled) > ${from}`, 'figures');
+const count = (p) => p.value('Number(document.documentElement.dataset.settled || 0)');
+async function change(p, id, value, event = 'change') {
+    const from = await count(p);
+    await p.value(set(id, value, event));
+    await settled(p, from);
+}
+async function take(p, ...names) {
+    const from = await p.value('Number(document.documentElement.dataset.taken || 0)');
+    await p.pick('#pick', names.map((n) => join(folder, n)));
+    await p.until(`Number(document.documentElement.dataset.taken) > ${from}`, 'the model is taken');
+}
+
+const browser = await Browser.start(process.env.CHROMIUM || 'chromium');
+const p = await browser.page({ width: 1280, height: 900 });
+const pictures = process.env.WEB_PICTURES;
+
+await test('web_size', () => {
+    const bytes = statSync(page).size;
+    must(bytes < MOST_BYTES, `${bytes} bytes, ${MOST_BYTES} is too many`);
+    return `${bytes} bytes`;
+});
+
+await test('web_opens', async () => {
+    await p.open(url);
+    await p.until(READY);
+    const slow = slowness(), ms = Number(await p.value('document.documentElement.dataset.firstPicture'));
+    must(ms < 1000 * slow, `the first picture came after ${ms} ms on a machine that is ${slow.toFixed(1)} times slower`);
+    const colors = await p.value(`(() => { ${PIXELS} return new Set(new Uint32Array(d.buffer)).size; })()`);
+    must(colors > 20, `a picture of ${colors} colours`);
+    return `first picture after ${ms} ms, machine ${slow.toFixed(1)} times slower`;
+});
+
+await test('web_turns', async () => {
+    const before = await p.value(SUM), from = await count(p);
+    await p.value('document.getElementById("glass").focus()');
+    await p.key('ArrowRight');
+    await settled(p, from);
+    const after = await p.value(SUM);
+    must(before !== after, 'the right arrow does not turn the picture');
+    const again = await count(p);
+    await p.key('0', 'Digit0');
+    await settled(p, again);
+    same(await p.value(SUM), before, 'after 0');
+});
+
+await test('web_rate', async () => {
+    const ms = await p.value(`(async () => { const t = document.getElementById('turn'); t.click();
+        const frames = [], root = document.documentElement;
+        for (let i = 0; i < 40; i++) await new Promise(requestAnimationFrame);
+        t.click(); return Number(root.dataset.frameMs); })()`);
+    must(ms > 0 && ms < 16 * slowness(), `${ms} ms a frame`);
+    return `teapot at 240x240: ${ms} ms a frame, ${Math.round(1000 / ms)} a second`;
+});
+
+await test('web_strip', async () => {
+    await p.value('document.getElementById("home").click()');
+    const before = await p.value(SUM);
+    await change(p, 'set-strip', '48', 'input');
+    same(await p.value(text('out-strip')), '48 rows', 'what the slider says');
+    must((await p.value(text('took-lead'))).includes('in 5 strips'), `strips: ${await p.value(text('took-lead'))}`);
+    same(await p.value(SUM), before, 'strips change no pixel');
+    must((await p.value('location.hash')).includes('strip=48'), 'the link does not hold it');
+});
+
+await test('web_parts', async () => {
+    const rows = JSON.parse(await p.value(`JSON.stringify([...document.querySelectorAll('.part')].map((r) => [r.dataset.part,
+        r.querySelector('.rate').textContent, r.querySelectorAll('.over').length]))`));
+    const of = (name) => rows.find((r) => r[0] === name);
+    must(rows.length >= 10, `${rows.length} parts`);
+    must(Number(of('rp2040')[1].split(' ')[0]) > 5 && of('rp2040')[2] === 0, `rp2040: ${of('rp2040')}`);
+    must(of('nrf51822')[2] > 0 && of('nrf51822')[1] === '–', `nrf51822 has 16 KB: ${of('nrf51822')}`);
+    const before = await p.value(text('fps')), from = await count(p);
+    await p.value('document.querySelector("[data-part=stm32f746]").click()');
+    await settled(p, from);
+    const after = await p.value(text('fps'));
+    must(Number(after) > Number(before), `an STM32F746 draws ${after} frames a second, an RP2040 ${before}`);
+    await change(p, 'part', 'rp2040');
+    same(await p.value(text('fps')), before, 'back on the RP2040');
+    must(/binds/.test(await p.value(text('fps-note'))), 'nothing binds');
+    const bytes = await p.value(text('ram-meter'));
+    await change(p, 'set-strip', '96', 'input');
+    must((await p.value(text('ram-meter'))) !== bytes, 'higher strips take no more RAM');
+    await change(p, 'set-strip', '48', 'input');
+    same(await p.value(text('ram-meter')), bytes, 'RAM of strips of 48 rows');
+});
+
+await test('web_refused', async () => {
+    const before = await p.value(SUM);
+    await p.value(set('set-width', '5000', 'change'));
+    await p.until(`${text('why-width')} !== ''`, 'a sentence');
+    const why = await p.value(text('why-width'));
+    must(/4096/.test(why), why);
+    same(await p.value(SUM), before, 'the last good picture');
+});
+
+await test('web_views', async () => {
+    const before = await p.value(SUM);
+    for (const view of ['overdraw', 'depth']) {
+        const from = await count(p);
+        await p.value(`document.querySelector('[data-view=${view}]').click()`);
+        await settled(p, from);
+        must((await p.value(SUM)) !== before, `${view} is the picture`);
+    }
+    const from = await count(p);
+    await p.value('document.querySelector("[data-view=frame]").click()');
+    await settled(p, from);
+    same(await p.value(SUM), before, 'back at the picture');
+});
+
+await test('web_link', async () => {
+    const hash = await p.value('location.hash'), sum = await p.value(SUM);
+    const other = await browser.page({ width: 1280, height: 900 });
+    await other.open(url + hash);
+    await other.until(READY);
+    same(await other.value(SUM), sum, 'the same picture');
+    same(await other.value(text('out-strip')), '48 rows', 'the same strips');
+    same(other.errors.join(), '', 'console');
+    await other.send('Page.close');
+});
+
+if (existsSync(join(folder, 'held.obj'))) {
+    await test('web_model', async () => {
+        await take(p, 'held.obj', 'held.mtl');
+        same(await p.value(text('error')), '', 'error');
+        const [width, height] = readFileSync(join(folder, 'held.size'), 'utf8').trim().split(' ').map(Number);
+        const got = await p.value(`(() => { ${PIXELS}
+            let s = c.width + ' ' + c.height; for (let i = 0; i < d.length; i += 4) s += ' ' + (d[i] << 16 | d[i + 1] << 8 | d[i + 2]);
+            return s; })()`);
+        const values = got.split(' ').map(Number), wanted = readFileSync(join(folder, 'held.rgb'));
+        same(`${values[0]}x${values[1]}`, `${width}x${height}`, 'size');
+        let wrong = 0, drawn = 0;
+        for (let i = 0; i < width * height; i++) {
+            const rgb = wanted[3 * i] << 16 | wanted[3 * i + 1] << 8 | wanted[3 * i + 2];
+            wrong += rgb !== values[i + 2];
+            drawn += rgb !== 0;
+        }
+        must(drawn > 1000, `zsim drew ${drawn} pixels`);
+        same(wrong, 0, 'pixels that differ from those of zsim render');
+        return `${width}x${height}, ${drawn} pixels drawn`;
+    });
+
+    await test('web_files', async () => {
+        const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
+            URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };
+            document.getElementById('get-h').click(); })`);
+        must(/THING_RADIUS/.test(got) && /thing_instance/.test(got), got.slice(0, 80));
+    });
+
+    await test('web_bad_model', async () => {
+        const before = await p.value(SUM);
+        await take(p, 'bad.obj');
+        const why = await p.value(text('error'));
+        must(/^bad\.obj:6: .*out of range/.test(why), why);
+        same(await p.value(SUM), before, 'the last good picture');
+        await take(p, 'held.obj', 'held.mtl');
+        same(await p.value(text('error')), '', 'error after a good model');
+    });
+}
+
+await test('web_quiet', () => {
+    same(p.errors.join(' | '), '', 'console');
+    const others = p.requests.filter((r) => !/^(data|blob):/.test(r) && r.split('#')[0] !== url);
+    same(others.join(' '), '', 'loaded from elsewhere');
+});
+
+await test('web_phone', async () => {
+    const phone = await browser.page({ width: 390, height: 844, scale: 2, dark: true, touch: true });
+    await phone.open(url);
+    await phone.until(READY);
+    const got = await phone.value(`JSON.stringify([document.documentElement.scrollWidth,
+        document.getElementById('glass').getBoundingClientRect().width * devicePixelRatio / document.getElementById('glass').width,
+        document.querySelectorAll('input:not([type=hidden]), select').length,
+        [...document.querySelectorAll('input, select')].filter((e) => !e.labels || e.labels.length === 0).map((e) => e.id).join()])`);
+    const [width, factor, fields, nameless] = JSON.parse(got);
+    must(width <= 390, `the page is ${width} px wide`);
+    must(Number.isInteger(factor) && factor >= 1, `pixels are enlarged ${factor} times`);
+    must(fields > 10, `${fields} fields`);
+    same(nameless, '', 'fields without a label');
+    same(phone.errors.join(), '', 'console');
+    if (pictures) writeFileSync(join(pictures, 'phone.png'), await phone.picture(true));
+});
+
+await test('web_keyboard', async () => {
+    await p.value('document.querySelector(".skip").focus()');
+    const seen = new Set();
+    for (let i = 0; i < 90; i++) {
+        await p.key('Tab');
+        seen.add(await p.value(`(() => { const e = document.activeElement, s = getComputedStyle(e), box = e.closest('.drop');
+            const line = (box ? getComputedStyle(box) : s).outlineStyle; return e.id + ' ' + line; })()`));
+    }
+    for (const id of ['pick', 'panel', 'set-strip', 'glass', 'turn', 'theme'])
+        must([...seen].some((s) => s.startsWith(`${id} `) && !s.endsWith(' none')), `Tab does not reach ${id} visibly`);
+});
+
+if (pictures) writeFileSync(join(pictures, 'desktop.png'), await p.picture(true));
+await browser.stop();
+process.exit(failed);

@@ -1,0 +1,39 @@
+#!/bin/sh
+# The page in a headless browser: opens from a file, draws what zsim draws, says what it refuses, loads nothing.
+# Usage: tests/web/page.sh BUILD    BUILD has web/index.html and zsim. WEB_PICTURES=FOLDER: pictures of the page there.
+#
+# SPDX-License-Identifier: MIT
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+build=$1
+work=$build/test/web
+. tests/lib/ok.sh
+rm -rf "$work"
+mkdir -p "$work"
+
+# A model with two materials, quads, a negative index and numbers that single precision does not hold
+awk 'BEGIN {
+    print "mtllib held.mtl"
+    for (j = 0; j <= 12; j++)
+        for (i = 0; i < 24; i++) {
+            a = i * 6.283185307 / 24; r = 0.3 + 0.7 * sin(j * 0.2617993878) ^ 2
+            printf "v %.11f %.11f %.11f\n", 100.1 + r * cos(a), j / 5 - 1.2, 40.7 + r * sin(a)
+        }
+    print "usemtl clay"
+    for (j = 0; j < 12; j++) {
+        if (j == 6) print "usemtl blue"
+        for (i = 0; i < 24; i++)
+            printf "f %d %d %d %d\n", j * 24 + i + 1, (j + 1) * 24 + i + 1, (j + 1) * 24 + (i + 1) % 24 + 1, j * 24 + (i + 1) % 24 + 1
+    }
+    print "f -1 -2 -3"
+}' >"$work/held.obj"
+printf 'newmtl clay\nKd 0.8 0.45 0.2\nnewmtl blue\nKd 0.1 0.3 0.7\n' >"$work/held.mtl"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# a face that is not there\nf 1 2 9\n' >"$work/bad.obj"
+if "$build/zsim" render "$work/held.obj" --panel st7789:240x240 --out "$work/held.png" 2>"$work/zsim.log"; then
+    node tests/web/pixels.mjs "$work/held.png" "$work/held.rgb" >"$work/held.size" || bad web_held "held.png is not read"
+else
+    bad web_held "zsim render: $(head -c 300 "$work/zsim.log")"
+fi
+page=$(cd "$build/web" && pwd)/index.html
+node tests/web/page.mjs "$page" "$(cd "$work" && pwd)" || failed=1
+exit $failed
