@@ -484,19 +484,37 @@ static void job_free(struct job *job)
     free(job);
 }
 
-int sim_render_model(struct sim_picture *seen, const struct sim_model *model, const struct sim_options *o)
+int sim_render_seen(struct sim_seen *seen, const struct sim_model *model, const struct sim_options *o)
 {
     static const struct sim_model none;
+    static const struct sim_picture empty;
     struct job *job = sim_alloc(1, sizeof *job);
     job->options = *o;
     job->model = *model;
     int status = sim_view_plan(&job->view, o, model);
     if (status == SIM_OK)
         status = draw_frame(job);
-    if (status == SIM_OK)
-        picture_of(seen, job);
+    if (status == SIM_OK) {
+        seen->stats = job->frame.stats;
+        seen->view = job->view;
+    }
+    if (status == SIM_OK && o->show == SIM_SHOW_FRAME) {
+        picture_of(&seen->picture, job);
+    } else if (status == SIM_OK) {
+        seen->picture = job->shown;
+        job->shown = empty; /* the caller's */
+    }
     job->model = none; /* the caller's */
     job_free(job);
+    return status;
+}
+
+int sim_render_model(struct sim_picture *seen, const struct sim_model *model, const struct sim_options *o)
+{
+    struct sim_seen all;
+    const int status = sim_render_seen(&all, model, o);
+    if (status == SIM_OK)
+        *seen = all.picture;
     return status;
 }
 

@@ -119,6 +119,12 @@ static const struct sim_option table[] = {
 
 #define N_TABLE (sizeof table / sizeof table[0])
 
+const struct sim_option *sim_options_rows(size_t *n)
+{
+    *n = N_TABLE;
+    return table;
+}
+
 void sim_options_help(void)
 {
     static const struct sim_help help = {

@@ -86,6 +86,9 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv);
 /* What they are where nothing is said: no model, 240x240. */
 void sim_options_defaults(struct sim_options *o);
 
+/* The rows of its table. */
+const struct sim_option *sim_options_rows(size_t *n);
+
 /* Do these options ask for textures; for normals at the vertices? */
 int sim_options_textured(const struct sim_options *o);
 int sim_options_smooth(const struct sim_options *o);
