@@ -107,10 +107,10 @@ static void paint(struct view *v)
 }
 
 /* Figures take as long as some pictures: while it turns, only now and then. */
-static void count(struct view *v)
+static void count(struct view *v, int at_once)
 {
     const int busy = v->turning || v->now - v->moved < COUNT_S;
-    if (v->counted == v->shot.serial || (busy && v->now < v->count_due))
+    if (v->counted == v->shot.serial || (!at_once && busy && v->now < v->count_due))
         return;
     view_figures_count(&v->figures, &v->shot);
     v->counted = v->shot.serial;
@@ -131,6 +131,18 @@ static void name_picture(const struct view *v, char path[4096])
                        start != NULL ? atol(start) : 0L);
 }
 
+static void print_figures(const struct view_figures *f)
+{
+    if (!f->known)
+        return;
+    (void)printf("# RAM %u bytes; frames a second, estimated%s:", f->ram.total[BUDGET_M3],
+                 f->plain ? " of plain faces" : "");
+    for (int i = 0; i < BUDGET_USUAL_PARTS; i++)
+        (void)printf(" %s %.1f", budget_usual_parts[i], f->fps[i]);
+    (void)printf("\n");
+}
+
+/* The picture into its file, and the command and what it takes to standard output. */
 static void write_picture(struct view *v)
 {
     char path[4096], said[VIEW_SAID_MAX];
@@ -147,7 +159,9 @@ static void write_picture(struct view *v)
     view_listen_end(said);
     if (status == SIM_OK) {
         (void)snprintf(said, sizeof said, "%s is written", path);
+        count(v, 1);
         (void)printf("%s\n", v->line);
+        print_figures(&v->figures);
         (void)fflush(stdout);
     }
     keep_sentence(v->said, said);
@@ -319,7 +333,7 @@ static void run(struct view *v)
         look_at_files(v);
         if (v->redraw)
             (void)take_shot(v);
-        count(v);
+        count(v, 0);
         if (v->repaint)
             paint(v);
     }

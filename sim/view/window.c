@@ -20,6 +20,7 @@
 
 #include <SDL2/SDL.h>
 
+#define STEP_MS 5 /* from one look at the events to the next */
 #define LIBRARY "libSDL2-2.0.so.0"
 #define FUNCTIONS(F)                                                                                                 \
     F(SDL_Init)                                                                                                      \
@@ -35,7 +36,8 @@
     F(SDL_PumpEvents)                                                                                                \
     F(SDL_PeepEvents)                                                                                                \
     F(SDL_PollEvent)                                                                                                 \
-    F(SDL_WaitEventTimeout)
+    F(SDL_GetTicks)                                                                                                  \
+    F(SDL_Delay)
 
 #define FIELD(name) __typeof__(name) *name;
 static struct {
@@ -201,16 +203,22 @@ static void take(struct view_event *event, const SDL_Event *from)
     }
 }
 
+/* Not by SDL_WaitEventTimeout: SDL 2.26 sends the window an event of its own there, and where the window is closed before
+ * that arrives, the X server's error ends the program. */
 enum view_event_kind view_window_next(struct view_window *window, struct view_event *event, int ms)
 {
     static const struct view_event none;
+    const uint32_t begun = sdl.SDL_GetTicks();
     SDL_Event from;
     (void)window;
     *event = none;
-    for (int got = sdl.SDL_WaitEventTimeout(&from, ms); got && event->kind == VIEW_EVENT_NONE;
-         got = event->kind == VIEW_EVENT_NONE && sdl.SDL_PollEvent(&from))
-        take(event, &from);
-    return event->kind;
+    for (;;) {
+        while (event->kind == VIEW_EVENT_NONE && sdl.SDL_PollEvent(&from))
+            take(event, &from);
+        if (event->kind != VIEW_EVENT_NONE || sdl.SDL_GetTicks() - begun >= (uint32_t)ms)
+            return event->kind;
+        sdl.SDL_Delay(STEP_MS);
+    }
 }
 
 #else /* a zsim that was built without SDL2's headers */
