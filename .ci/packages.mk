@@ -1,7 +1,9 @@
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev zlib1g-dev libturbojpeg0-dev
+PKG_VIEW = $(PKG_SIM) libsdl2-dev
 PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
-PKG_TEST = $(PKG_LINUX) ccache $(PKG_PACKAGE) $(PKG_WEB_TEST) lintian gnuplot-nox g++ clang binutils libcmocka-dev \
+PKG_TEST = $(PKG_LINUX) libsdl2-dev libx11-dev xvfb xdotool ccache $(PKG_PACKAGE) $(PKG_WEB_TEST) lintian \
+           gnuplot-nox g++ clang binutils libcmocka-dev \
            gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user-static $(if $(shell command -v npm),,nodejs npm)
@@ -28,8 +30,9 @@ $(B)/.setup-$1:
 	@mkdir -p $(B) && .ci/setup $$(PKG_$2) && touch $(foreach s,$1 $3,$(B)/.setup-$s)
 endef
 $(eval $(call setup,sim,SIM))
+$(eval $(call setup,view,VIEW,sim))
 $(eval $(call setup,linux,LINUX,sim))
-$(eval $(call setup,test,TEST,linux sim engine web))
+$(eval $(call setup,test,TEST,linux view sim engine web))
 $(eval $(call setup,bench,BENCH,test linux sim))
 $(eval $(call setup,scale,SCALE,test linux sim))
 $(eval $(call setup,fuzz,FUZZ,test linux sim))

@@ -11,7 +11,11 @@ GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
 LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_help.c sim/cli/option_table.c sim/panel/panel_bus.c \
             sim/panel/panel_frame.c sim/cli/sim.c sim/cli/value.c
-LIBS = -lassimp -lmeshoptimizer -lpng -lz -lturbojpeg -lm -pthread
+LIBS = -lassimp -lmeshoptimizer -lpng -lz -lturbojpeg -lm -ldl -pthread
+
+## view: build/zsim with windows: zsim view MODEL
+view: $(B)/.setup-view
+	+@$(MAKE_ALL) $(B)/zsim
 
 ## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes
 report: $(B)/.setup-report
@@ -24,7 +28,7 @@ report: $(B)/.setup-report
 pictures: sim
 	@sh sim/pictures/make.sh $(B)
 
-.PHONY: report pictures study-variants linux-sources
+.PHONY: view report pictures study-variants linux-sources
 
 # The renderer for programs of this machine that only use it: the generator of meshes, and those of tests
 CORE_CC = $(CC) -std=c11 $(CFLAGS) $(WARN) -Ifirmware/zstrip
@@ -56,6 +60,10 @@ $(B)/gen/study_build.h: $(CORE) $(SCENES) $(filter sim/%,$(SIM)) $(GEN) $(filter
 	@mkdir -p $(B)/gen
 	@cat $^ | cksum | awk '{ printf "#define STUDY_BUILD \"%08x\"\n", $$1 }' >$@
 $(B)/sim/sim/study/study.o $(B)/test/sim/study/study.o $(B)/fuzz/clang/sim/study/study.o: $(B)/gen/study_build.h
+
+# A window is compiled anew where SDL2's headers have come or gone
+VIEW_NOTE := $(call note,$(B)/sim/sdl2,SDL2: $(wildcard /usr/include/SDL2/SDL.h /usr/local/include/SDL2/SDL.h))
+$(foreach at,sim test fuzz/clang,$(B)/$(at)/sim/view/window.o): $(VIEW_NOTE)
 
 SIM_CC = $(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -DZS_VARYINGS_MAX=8
 SIM_NOTE := $(call note,$(B)/sim/cc,$(SIM_CC))

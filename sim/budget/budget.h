@@ -44,6 +44,9 @@ struct budget_part {
 };
 extern const struct budget_part budget_parts[];
 extern const uint32_t n_budget_parts;
+/* Those that a short table names, for budget_part_named. */
+#define BUDGET_USUAL_PARTS 3
+extern const char *const budget_usual_parts[BUDGET_USUAL_PARTS];
 /* By its name or how only that begins, in either case of letters. NULL: none, or several. */
 const struct budget_part *budget_part_named(const char *name);
 const char *budget_part_list(void); /* "a, b, c". Static storage */

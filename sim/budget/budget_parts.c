@@ -44,6 +44,8 @@ const struct budget_part budget_parts[] = {
 };
 const uint32_t n_budget_parts = sizeof budget_parts / sizeof budget_parts[0];
 
+const char *const budget_usual_parts[BUDGET_USUAL_PARTS] = { "rp2040", "stm32f405", "esp32-c3" };
+
 static int begins(const char *text, const char *with)
 {
     return strncasecmp(text, with, strlen(with)) == 0;

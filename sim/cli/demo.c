@@ -511,9 +511,45 @@ static void sheet_end(struct sheet *sheet)
     free(sheet->page);
 }
 
+static const struct request usual = { .out = "build/demo", .strip = 24, .subpixel = 8, .step = 1, .delay = 80 };
+
+int sim_demo_seen(struct sim_seen *seen, uint32_t *n_frames, int argc, char **argv)
+{
+    struct request rq = usual;
+    int err = parse(&rq, argc, argv);
+    uint32_t i = 0;
+    while (!err && i < count_scenes() && !wanted(&rq, scene_at(i)))
+        i++;
+    if (err || i == count_scenes())
+        return err;
+    const struct demo *demo = scene_at(i);
+    struct sim_panel_frame panel = { 0 };
+    struct sim_frame frame = { 0 };
+    struct zs_config config;
+    struct demo_frame f;
+    configure(&config, demo, &rq);
+    demo->pose(&f, frame_number(&rq, 0), config.width, config.height);
+    err = fit_pools(&config, demo, &rq);
+    if (!err && rq.panel.name != NULL)
+        err = sim_panel_begin(&panel, &rq.panel, demo->name, config.strip_h);
+    if (!err)
+        err = draw(&frame, &seen->picture, &panel, &f, &config, &rq, demo);
+    seen->stats = frame.stats;
+    *n_frames = demo->frames;
+    sim_frame_free(&frame);
+    sim_panel_free(&panel);
+    return err;
+}
+
+const struct sim_option *sim_demo_rows(size_t *n)
+{
+    *n = N_TABLE;
+    return table;
+}
+
 int sim_demo(int argc, char **argv)
 {
-    struct request rq = { .out = "build/demo", .strip = 24, .subpixel = 8, .step = 1, .delay = 80 };
+    struct request rq = usual;
     int err = parse(&rq, argc, argv);
     if (!err && rq.help) {
         sim_option_help(table, N_TABLE, &help);

@@ -12,9 +12,11 @@
 #include "render.h"
 #include "study.h"
 #include "try.h"
+#include "view_command.h"
 
 static const struct sim_command commands[] = {
     { "try", "a model file to a turntable and figures, all of it chosen", sim_try },
+    { "view", "a model file or demo scene in a window, live", sim_view },
     { "render", "a model file to a frame", sim_render },
     { "convert", "a model or picture to const C for firmware", sim_convert },
     { "new", "a model to a project of its own, which draws it on a board or in an emulator", sim_new },

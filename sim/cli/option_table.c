@@ -83,8 +83,9 @@ static const char *wanted(const struct sim_option *opt)
     return opt->words != NULL ? opt->words : names[opt->kind];
 }
 
-static const struct sim_option *find(const struct sim_option *table, size_t n, const char *arg, size_t length)
+const struct sim_option *sim_option_find(const struct sim_option *table, size_t n, const char *arg)
 {
+    const size_t length = strcspn(arg, "=");
     for (size_t k = 0; k < n; k++)
         if (table[k].kind < SIM_OPTION_HEADING && strlen(table[k].name) == length &&
             memcmp(table[k].name, arg, length) == 0)
@@ -96,7 +97,7 @@ int sim_option_take(const struct sim_option *table, size_t n, void *to, char *se
 {
     const char *arg = argv[*i];
     const size_t length = strcspn(arg, "=");
-    const struct sim_option *opt = find(table, n, arg, length);
+    const struct sim_option *opt = sim_option_find(table, n, arg);
     if (opt == NULL)
         return sim_usage("unknown option '%s'", arg);
     char *base = to;

@@ -51,6 +51,9 @@ struct sim_option {
 #define SIM_HELP_OPTIONS(to) \
     { "-h", SIM_OPTION_FLAG, to, .help = "" }, { "--help", SIM_OPTION_FLAG, to, .help = "this text" }
 
+/* The row of the option that `arg` names, with a value behind an equals sign or not; NULL: there is none. */
+const struct sim_option *sim_option_find(const struct sim_option *table, size_t n, const char *arg);
+
 /* The option at argv[*i], with its value, into the struct at `to`; *i is at the last word that was taken. seen[k]
  * becomes 1 for row k of the table. SIM_OK; SIM_USAGE where there is no such option or its value is not of its kind. */
 int sim_option_take(const struct sim_option *table, size_t n, void *to, char *seen, int argc, char **argv, int *i);

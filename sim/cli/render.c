@@ -487,24 +487,6 @@ static void job_free(struct job *job)
     free(job);
 }
 
-int sim_render_model(struct sim_picture *seen, struct sim_kept_scene *kept, const struct sim_model *model,
-                     const struct sim_options *o)
-{
-    static const struct sim_model none;
-    struct job *job = sim_alloc(1, sizeof *job);
-    job->options = *o;
-    job->model = *model;
-    job->kept = kept;
-    int status = sim_view_plan(&job->view, o, model);
-    if (status == SIM_OK)
-        status = draw_frame(job);
-    if (status == SIM_OK)
-        picture_of(seen, job);
-    job->model = none; /* the caller's */
-    job_free(job);
-    return status;
-}
-
 static void say_losses(const struct job *job)
 {
     char lead[4200];
@@ -538,31 +520,52 @@ int sim_render(int argc, char **argv)
 
 /* ---- A frame for other programs ---------------------------------------------------------------- */
 
-int sim_render_all(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o)
+int sim_render_all(struct sim_rendered *out, struct sim_kept_scene *kept, const struct sim_model *model,
+                   const struct sim_options *o)
 {
     static const struct sim_model none;
     struct job *job = sim_alloc(1, sizeof *job);
     memset(out, 0, sizeof *out);
     job->options = *o;
     job->model = *model;
+    job->kept = kept;
     int status = sim_view_plan(&job->view, o, model);
     if (status == SIM_OK)
         status = draw_frame(job);
     if (status == SIM_OK) {
+        if (o->panel.name != NULL && o->show == SIM_SHOW_FRAME)
+            picture_of(&job->shown, job);
         *out = (struct sim_rendered){ .view = job->view,
                                       .config = job->config,
                                       .frame = job->frame,
                                       .shown = job->shown,
-                                      .parts = job->scene.n_parts,
-                                      .verts = job->scene.n_verts };
-        memcpy(out->lost, job->scene.lost, sizeof out->lost);
-        if (o->panel.name != NULL)
-            picture_of(&out->shown, job);
+                                      .parts = job->scene->n_parts,
+                                      .verts = job->scene->n_verts };
+        memcpy(out->lost, job->scene->lost, sizeof out->lost);
         memset(&job->frame, 0, sizeof job->frame); /* the caller's */
         memset(&job->shown, 0, sizeof job->shown);
     }
     job->model = none; /* the caller's */
     job_free(job);
+    return status;
+}
+
+void sim_rendered_picture(struct sim_picture *seen, struct sim_rendered *r)
+{
+    if (r->shown.rgb == NULL)
+        sim_picture_565(&r->shown, r->frame.width, r->frame.height, r->frame.rgb565);
+    *seen = r->shown;
+    memset(&r->shown, 0, sizeof r->shown);
+}
+
+int sim_render_model(struct sim_picture *seen, struct sim_kept_scene *kept, const struct sim_model *model,
+                     const struct sim_options *o)
+{
+    struct sim_rendered r;
+    const int status = sim_render_all(&r, kept, model, o);
+    if (status == SIM_OK)
+        sim_rendered_picture(seen, &r);
+    sim_render_free(&r);
     return status;
 }
 

@@ -12,6 +12,13 @@
 #include "quantise.h"
 #include "render_options.h"
 
+/* What is shown of a frame, and what it took. */
+struct sim_seen {
+    struct sim_picture picture;
+    struct zs_stats stats;
+    struct sim_view view; /* of a model */
+};
+
 /* Draw a model that is loaded, as the options say, and write no file. seen is the caller's after SIM_OK; else what is
  * refused was said. kept may be NULL. */
 int sim_render_model(struct sim_picture *seen, struct sim_kept_scene *kept, const struct sim_model *model,
@@ -29,7 +36,10 @@ struct sim_rendered {
 };
 
 /* The same as sim_render_model. */
-int sim_render_all(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o);
+int sim_render_all(struct sim_rendered *out, struct sim_kept_scene *kept, const struct sim_model *model,
+                   const struct sim_options *o);
+/* What --out shows of it; seen is the caller's. */
+void sim_rendered_picture(struct sim_picture *seen, struct sim_rendered *r);
 void sim_render_free(struct sim_rendered *r);
 
 /* Run with the arguments after "render". Return enum sim_status. */

@@ -120,12 +120,9 @@ static int choose_look(struct sim_options *o, const struct sim_model *model)
 
 /* ---- Figures --------------------------------------------------------------------------------- */
 
-static const char *const parts[] = { "rp2040", "stm32f405", "esp32-c3" };
-#define N_PARTS (sizeof parts / sizeof parts[0])
-
 struct figures {
     struct budget worst;    /* of the view that takes the most pools */
-    double cycles[N_PARTS]; /* of the slowest view */
+    double cycles[BUDGET_USUAL_PARTS]; /* of the slowest view */
     uint32_t ram;
 };
 
@@ -148,9 +145,9 @@ static int count(struct figures *f, const struct sim_options *o, const struct si
         budget_ram(&b.ram, &rq, &b.config, b.n_instances);
         for (int c = 0; c < BUDGET_CPUS; c++)
             budget_flash(&b.flash[c], &rq, &b, (enum budget_cpu)c);
-        for (size_t i = 0; i < N_PARTS; i++)
+        for (size_t i = 0; i < BUDGET_USUAL_PARTS; i++)
             f->cycles[i] = fmax(f->cycles[i],
-                                budget_cycles(&rq, &b, budget_part_named(parts[i])->core));
+                                budget_cycles(&rq, &b, budget_part_named(budget_usual_parts[i])->core));
         if (b.ram.total[BUDGET_M3] > f->ram) {
             f->ram = b.ram.total[BUDGET_M3];
             f->worst = b;
@@ -186,8 +183,8 @@ static void print(const struct request *rq, const struct sim_model *model, const
     printf("  RAM            %9u bytes\n", f->ram);
     printf("  flash          %9u bytes of scene data, %u of renderer (Cortex-M3)\n", b->data,
            b->flash[BUDGET_M3].zstrip + b->flash[BUDGET_M3].library);
-    for (size_t i = 0; i < N_PARTS; i++) {
-        const struct budget_part *p = budget_part_named(parts[i]);
+    for (size_t i = 0; i < BUDGET_USUAL_PARTS; i++) {
+        const struct budget_part *p = budget_part_named(budget_usual_parts[i]);
         const enum budget_cpu cpu = budget_cpu_of(p->core);
         const int ram = b->ram.total[cpu] > p->ram, flash = b->flash[cpu].total > p->flash;
         printf("  %-14s %9.1f frames a second at %.0f MHz, estimated%s%s%s%s\n", p->name,

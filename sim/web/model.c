@@ -129,7 +129,7 @@ int web_model_draw(struct sim_rendered *out, const struct sim_model *model, cons
     struct sim_original original;
     int status = turn(&turned, model, &web.orbit);
     if (status == SIM_OK)
-        status = sim_render_all(out, model, &turned);
+        status = sim_render_all(out, NULL, model, &turned);
     if (status != SIM_OK || !o->compare)
         return status;
     status = sim_original_render(&original, model, &out->view, &turned);

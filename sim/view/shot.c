@@ -1,0 +1,164 @@
+/* Load where words about loading have changed, draw, keep.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "shot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "demo.h"
+#include "scene_parts.h"
+#include "sim.h"
+#include "vec.h"
+
+#define RADIANS 0.01745329251994329577
+#define POLE 0.017   /* radians that the eye stays off the upright axis */
+#define DIGITS 1e-5  /* of the distance, to which places are rounded */
+
+/* Options that do not change how a model is loaded. */
+static const char *const after_loading[] = {
+    "--out",   "--show",  "--size",  "--strip",  "--depth", "--depth-bits", "--subpixel", "--method",
+    "--tris",  "--verts", "--buffers", "--fast", "--threads", "--panel", "--rotate", "--invert",
+    "--bgr",   "--eye",   "--at",    "--up",     "--fov",   "--near",       "--far",      "--projection",
+    "--style", "--line-width", "--background", "--light", "--ambient", "--diffuse", NULL
+};
+
+/* ---- Pictures ---------------------------------------------------------------------------------------- */
+
+static int draw_scene(struct view_shot *shot, struct sim_seen *seen)
+{
+    char *argv[VIEW_ARGV_MAX];
+    const int argc = view_words_argv(&shot->words, argv);
+    return sim_demo_seen(seen, &shot->n_frames, argc, argv);
+}
+
+static int load(struct view_shot *shot, char *by)
+{
+    const int status = sim_scene_load(&shot->model, &shot->o);
+    if (status != SIM_OK)
+        return status;
+    shot->loaded_by = by;
+    shot->shade = shot->o.shade;
+    shot->shade_chosen = shot->o.shade_chosen;
+    return SIM_OK;
+}
+
+/* The model of `before` is borrowed where nothing says that it has changed: *loaded is 0 then. */
+static int draw_model(struct view_shot *shot, const struct view_shot *before, struct sim_seen *seen, int reload,
+                      int *loaded)
+{
+    char *argv[VIEW_ARGV_MAX], *by = view_words_line(&shot->words, "", after_loading);
+    const int argc = view_words_argv(&shot->words, argv);
+    int status = sim_options_parse(&shot->o, argc, argv);
+    *loaded = 0;
+    if (status == SIM_OK && !reload && before->loaded_by != NULL && strcmp(before->loaded_by, by) == 0) {
+        shot->o.shade = before->shade;
+        shot->o.shade_chosen = before->shade_chosen;
+        free(by);
+    } else if (status == SIM_OK && (status = load(shot, by)) == SIM_OK) {
+        *loaded = 1;
+    } else {
+        free(by);
+    }
+    struct sim_rendered r;
+    if (status == SIM_OK)
+        status = sim_render_all(&r, NULL, &shot->model, &shot->o);
+    if (status != SIM_OK)
+        return status;
+    seen->stats = r.frame.stats;
+    seen->view = r.view;
+    sim_rendered_picture(&seen->picture, &r);
+    sim_render_free(&r);
+    return SIM_OK;
+}
+
+int view_shot_take(struct view_shot *shot, const struct view_words *words, int reload)
+{
+    struct view_shot next = *shot;
+    struct sim_seen seen = { 0 };
+    int loaded = 0;
+    next.words = (struct view_words){ 0 };
+    view_words_copy(&next.words, words);
+    const int status =
+        words->model != NULL ? draw_model(&next, shot, &seen, reload, &loaded) : draw_scene(&next, &seen);
+    if (status != SIM_OK) {
+        view_words_free(&next.words);
+        sim_picture_free(&seen.picture);
+        if (loaded) {
+            sim_model_free(&next.model);
+            free(next.loaded_by);
+        }
+        return status;
+    }
+    view_words_free(&shot->words);
+    sim_picture_free(&shot->seen.picture);
+    if (loaded) {
+        sim_model_free(&shot->model);
+        free(shot->loaded_by);
+    }
+    next.seen = seen;
+    next.serial++;
+    *shot = next;
+    return SIM_OK;
+}
+
+void view_shot_free(struct view_shot *shot)
+{
+    view_words_free(&shot->words);
+    sim_picture_free(&shot->seen.picture);
+    sim_model_free(&shot->model);
+    free(shot->loaded_by);
+    memset(shot, 0, sizeof *shot);
+}
+
+/* ---- The camera -------------------------------------------------------------------------------------- */
+
+static void set_place(struct view_words *words, const char *name, const double v[3], double distance)
+{
+    char text[96];
+    const double step = pow(10.0, floor(log10(distance * DIGITS)));
+    double r[3];
+    for (int k = 0; k < 3; k++)
+        r[k] = round(v[k] / step) * step + 0.0; /* no -0 */
+    (void)snprintf(text, sizeof text, "%.9g,%.9g,%.9g", r[0], r[1], r[2]);
+    view_words_set(words, name, text);
+}
+
+void view_shot_orbit(const struct view_shot *shot, struct view_words *words, double turn, double rise, double factor)
+{
+    const struct sim_view *v = &shot->seen.view;
+    double axis[3], off[3], side[3], front[3], eye[3];
+    memcpy(axis, shot->o.up, sizeof axis);
+    (void)sim_unit(axis);
+    sim_sub(off, v->eye, v->at);
+    const double distance = sim_unit(off), height = fmax(-1.0, fmin(1.0, sim_dot(off, axis)));
+    memcpy(side, v->right, sizeof side);
+    sim_cross(front, side, axis); /* away from the axis, level */
+    (void)sim_unit(front);
+    double up = asin(height) + rise * RADIANS;
+    up = fmax(POLE - 90.0 * RADIANS, fmin(90.0 * RADIANS - POLE, up));
+    const double level = cos(up), a = turn * RADIANS;
+    for (int k = 0; k < 3; k++)
+        eye[k] = v->at[k] + factor * distance *
+                                (level * (cos(a) * front[k] + sin(a) * side[k]) + sin(up) * axis[k]);
+    set_place(words, "--eye", eye, factor * distance);
+}
+
+void view_shot_pan(const struct view_shot *shot, struct view_words *words, double dx, double dy)
+{
+    const struct sim_view *v = &shot->seen.view;
+    double off[3], eye[3], at[3];
+    sim_sub(off, v->eye, v->at);
+    const double distance = sqrt(sim_dot(off, off));
+    const double px = v->orthographic ? v->span / v->height : distance / v->focal; /* model units, at v->at */
+    for (int k = 0; k < 3; k++) {
+        const double by = px * (dy * v->up[k] - dx * v->right[k]);
+        eye[k] = v->eye[k] + by;
+        at[k] = v->at[k] + by;
+    }
+    set_place(words, "--eye", eye, distance);
+    set_place(words, "--at", at, distance);
+}

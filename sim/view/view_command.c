@@ -1,0 +1,97 @@
+/* Which words are taken, and --help.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "view_command.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "demo.h"
+#include "option_help.h"
+#include "sim.h"
+#include "view_loop.h"
+
+/* Options of `zsim render` and `zsim demo` that are about files and numbers alone, or about many frames. */
+static const char *const not_here[] = { "--depth-out", "--id-out", "--turntable", "--stats", "--explain",
+                                        "--reference", "--compare", "--spi", "--raw", "--moving", "--delay",
+                                        "--step", "--frames", NULL };
+
+static int is_here(const char *name)
+{
+    for (int i = 0; not_here[i] != NULL; i++)
+        if (strcmp(not_here[i], name) == 0)
+            return 0;
+    return 1;
+}
+
+/* The rows that are taken here. */
+static void print_help(const struct sim_option *rows, size_t n)
+{
+    static const struct sim_help help = {
+        "zsim view MODEL [options]\nzsim view --scene NAME [options]",
+        "Shows a model or a demo scene in a window, as a board would draw it, with what it takes beside it. Drag to "
+        "turn it; the wheel goes nearer; a key for each setting, which the window names; h shows all keys; p writes the "
+        "picture and prints the command that draws it. The model is loaded again when its file changes. A scene takes "
+        "the options of zsim demo, a model those of zsim render:",
+        "Exit status: 0 the window was closed; 1 refused, as without a desktop; 2 the command line makes no sense.",
+    };
+    struct sim_option *here = sim_alloc(n + 1, sizeof *here);
+    size_t kept = 0;
+    here[kept++] = (struct sim_option){ "--scene", SIM_OPTION_TEXT,
+                                        .help = "a demo scene in place of a model; zsim demo --help lists them" };
+    for (size_t i = 0; i < n; i++)
+        if (is_here(rows[i].name)) {
+            here[kept] = rows[i];
+            if (strcmp(rows[i].name, "--out") == 0)
+                here[kept].help = "the file that p writes (view.png); of a scene its folder (build/view)";
+            kept++;
+        }
+    sim_option_help(here, kept, &help);
+    free(here);
+}
+
+static int parse(struct view_words *w, int argc, char **argv, int *help)
+{
+    int only_names = 0, status = SIM_OK, scene = 0;
+    for (int i = 0; i < argc && strcmp(argv[i], "--") != 0; i++)
+        scene |= strncmp(argv[i], "--scene", 7) == 0 && (argv[i][7] == '=' || argv[i][7] == '\0');
+    w->table = scene ? sim_demo_rows(&w->n_table) : sim_options_rows(&w->n_table);
+    for (int i = 0; status == SIM_OK && !*help && i < argc; i++) {
+        const struct sim_option *row = sim_option_find(w->table, w->n_table, argv[i]);
+        *help = !only_names && (strcmp(argv[i], "-h") == 0 || strcmp(argv[i], "--help") == 0);
+        if (*help)
+            break;
+        if (!only_names && row != NULL && !is_here(row->name))
+            return sim_usage("%s has no use in a window: leave it out", row->name);
+        status = !only_names && sim_is_option(argv[i]) ? view_words_take(w, argc, argv, &i)
+                                                       : sim_model_take(&w->model, argv[i], &only_names);
+    }
+    if (status != SIM_OK || *help)
+        return status;
+    if (scene && w->model != NULL)
+        return sim_usage("--scene %s or the model %s: leave one out", view_words_get(w, "--scene"), w->model);
+    if (!scene && (w->model == NULL || w->model[0] == '\0'))
+        return sim_usage("a model is missing: zsim view MODEL, or zsim view --scene NAME");
+    if (scene && strchr(view_words_get(w, "--scene"), ',') != NULL)
+        return sim_usage("one scene at a time: --scene %s", view_words_get(w, "--scene"));
+    if (view_words_get(w, "--out") == NULL)
+        view_words_set(w, "--out", scene ? "build/view" : "view.png");
+    if (scene && view_words_get(w, "--start") == NULL)
+        view_words_set(w, "--start", "0");
+    if (scene)
+        view_words_set(w, "--frames", "1");
+    return SIM_OK;
+}
+
+int sim_view(int argc, char **argv)
+{
+    struct view_words words = { 0 };
+    int help = 0, status = parse(&words, argc, argv, &help);
+    if (status == SIM_OK && help)
+        print_help(words.table, words.n_table);
+    else if (status == SIM_OK)
+        status = view_loop(&words);
+    view_words_free(&words);
+    return status;
+}
