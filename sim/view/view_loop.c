@@ -260,6 +260,7 @@ static void press(struct view *v, const struct view_event *e)
         break;
     case VIEW_KEY_BACK:
         view_words_copy(&v->wish, &v->first);
+        v->scene_frame = of_model(v) ? 0.0 : atof(view_words_get(&v->wish, "--start"));
         v->redraw = 1;
         break;
     case VIEW_KEY_LEFT:
