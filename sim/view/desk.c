@@ -125,7 +125,8 @@ static void bar(struct view_canvas *c, const struct view_desk *d, int w, int y)
     const int n = (w - 2 * VIEW_MARGIN) / VIEW_CELL_W;
     view_canvas_fill(c, 0, y, w, 1, VIEW_LINE);
     y += VIEW_MARGIN / 2;
-    const int lines = view_canvas_lines(c, VIEW_MARGIN, y, VIEW_ACCENT, n, VIEW_BAR_LINES / 2, VIEW_PITCH, d->said);
+    const int lines = view_canvas_lines(c, VIEW_MARGIN, y, d->refused ? VIEW_ACCENT : VIEW_INK, n, VIEW_BAR_LINES / 2,
+                                        VIEW_PITCH, d->said);
     (void)view_canvas_lines(c, VIEW_MARGIN, y + lines * VIEW_PITCH, VIEW_DIM, n, VIEW_BAR_LINES - lines, VIEW_PITCH,
                             d->line);
 }

@@ -24,6 +24,7 @@ struct view_desk {
     const struct view_words *wish;      /* what was asked for: more than that where it was refused */
     const struct view_figures *figures;
     const char *said;                   /* why it was refused, or what was done; "": nothing */
+    int refused;                        /* flag: it says why something was refused */
     const char *line;                   /* the command that draws it */
     int keys;                           /* flag: the keys are shown */
 };

@@ -4,6 +4,7 @@
  */
 #include "view_loop.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,6 +39,7 @@ struct view {
     uint32_t counted;         /* serial of the shot that figures are of */
     double now, moved, looked, count_due; /* seconds */
     double scene_frame;       /* of the animation that is played */
+    int refused;              /* flag: said is why */
     int turning, keys, quit, redraw, reload, repaint; /* flags */
     int written;              /* pictures so far */
 };
@@ -79,6 +81,7 @@ static int take_shot(struct view *v)
     view_listen_end(said);
     v->redraw = v->reload = 0;
     v->repaint = 1;
+    v->refused = status != SIM_OK;
     if (reload)
         v->broken[0] = '\0';
     keep_sentence(reload && status != SIM_OK ? v->broken : v->said, said);
@@ -99,6 +102,7 @@ static void paint(struct view *v)
                                     .wish = &v->wish,
                                     .figures = &v->figures,
                                     .said = v->broken[0] != '\0' ? v->broken : v->said,
+                                    .refused = v->broken[0] != '\0' || v->refused,
                                     .line = v->line,
                                     .keys = v->keys };
     view_desk_draw(&desk, &v->canvas, to, w, h, pitch);
@@ -138,7 +142,10 @@ static void print_figures(const struct view_figures *f)
     (void)printf("# RAM %u bytes; frames a second, estimated%s:", f->ram.total[BUDGET_M3],
                  f->plain ? " of plain faces" : "");
     for (int i = 0; i < BUDGET_USUAL_PARTS; i++)
-        (void)printf(" %s %.1f", budget_usual_parts[i], f->fps[i]);
+        if (isfinite(f->fps[i]))
+            (void)printf(" %s %.1f", budget_usual_parts[i], f->fps[i]);
+        else
+            (void)printf(" %s unknown", budget_usual_parts[i]);
     (void)printf("\n");
 }
 
@@ -165,6 +172,7 @@ static void write_picture(struct view *v)
         (void)fflush(stdout);
     }
     keep_sentence(v->said, said);
+    v->refused = status != SIM_OK;
     v->repaint = 1;
 }
 
@@ -252,6 +260,7 @@ static void press(struct view *v, const struct view_event *e)
         break;
     case VIEW_KEY_BACK:
         view_words_copy(&v->wish, &v->first);
+        v->scene_frame = of_model(v) ? 0.0 : atof(view_words_get(&v->wish, "--start"));
         v->redraw = 1;
         break;
     case VIEW_KEY_LEFT:

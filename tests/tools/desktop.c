@@ -1,7 +1,7 @@
 /* An X server's windows from outside, by Xlib alone: for tests of `zsim view`.
  *
  *   desktop shot WINDOW                  its pixels as binary PPM on standard output
- *   desktop find WINDOW PICTURE.ppm      where the picture is in it, enlarged by nearest: "SCALE X Y"
+ *   desktop find WINDOW PICTURE.png      where the picture is in it, each pixel a square: "SCALE X Y"
  *   desktop count WINDOW RRGGBB X Y W H  how many pixels of a rectangle have that colour; W or H 0: up to the border
  *   desktop close WINDOW                 what a window manager sends when the window's button is pressed
  *
@@ -11,6 +11,7 @@
  */
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
+#include <png.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,19 +46,21 @@ static int take(struct picture *p, Display *display, Window window)
     return 1;
 }
 
-static int read_ppm(struct picture *p, const char *name)
+static int read_png(struct picture *p, const char *name)
 {
-    FILE *f = fopen(name, "rb");
-    if (f == NULL || fscanf(f, "P6 %d %d 255", &p->w, &p->h) != 2 || getc(f) == EOF)
+    png_image image = { .version = PNG_IMAGE_VERSION };
+    if (!png_image_begin_read_from_file(&image, name))
         return 0;
-    p->px = malloc(sizeof *p->px * (size_t)p->w * (size_t)p->h);
-    for (size_t i = 0; i < (size_t)p->w * (size_t)p->h; i++) {
-        uint8_t rgb[3];
-        if (fread(rgb, 1, 3, f) != 3)
-            return 0;
-        p->px[i] = (uint32_t)(rgb[0] << 16 | rgb[1] << 8 | rgb[2]);
-    }
-    (void)fclose(f);
+    image.format = PNG_FORMAT_RGB;
+    uint8_t *rgb = malloc(PNG_IMAGE_SIZE(image));
+    if (!png_image_finish_read(&image, NULL, rgb, 0, NULL))
+        return 0;
+    p->w = (int)image.width;
+    p->h = (int)image.height;
+    p->px = malloc(sizeof *p->px * image.width * image.height);
+    for (size_t i = 0; i < (size_t)p->w * (size_t)p->h; i++)
+        p->px[i] = (uint32_t)(rgb[3 * i] << 16 | rgb[3 * i + 1] << 8 | rgb[3 * i + 2]);
+    free(rgb);
     return 1;
 }
 
@@ -71,12 +74,18 @@ static int is_at(const struct picture *in, const struct picture *p, int scale, i
     return 1;
 }
 
+/* The largest scale first, since a plain picture is in a larger one of it, too. A pixel that is not as the first one is
+ * looked at before all others. */
 static int find(const struct picture *in, const struct picture *p)
 {
+    int probe = 0;
+    while (probe + 1 < p->w * p->h && p->px[probe] == p->px[0])
+        probe++;
     for (int scale = 16; scale >= 1; scale--)
         for (int y = 0; y + p->h * scale <= in->h; y++)
             for (int x = 0; x + p->w * scale <= in->w; x++)
-                if (is_at(in, p, scale, x, y)) {
+                if (in->px[(size_t)(y + probe / p->w * scale) * (size_t)in->w + (size_t)(x + probe % p->w * scale)] ==
+                        p->px[probe] && is_at(in, p, scale, x, y)) {
                     printf("%d %d %d\n", scale, x, y);
                     return 0;
                 }
@@ -125,7 +134,7 @@ int main(int argc, char **argv)
         }
         return 0;
     }
-    if (strcmp(argv[1], "find") == 0 && argc == 4 && read_ppm(&p, argv[3]))
+    if (strcmp(argv[1], "find") == 0 && argc == 4 && read_png(&p, argv[3]))
         return find(&in, &p);
     return strcmp(argv[1], "count") == 0 && argc == 8 ? count(&in, argv + 3) : 1;
 }

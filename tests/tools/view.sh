@@ -1,0 +1,301 @@
+#!/bin/sh
+# `zsim view` on an X server of its own (Xvfb), with keys and a mouse that are pressed (xdotool), looked at from outside
+# (desktop.c): what is in the window is what `zsim render` and `zsim demo` write, pixel by pixel.
+# Usage: tests/tools/view.sh ZSIM WORKDIR     as tests/tools/cli.sh
+#
+# Nothing waits for a time: each step waits until what it wants is there, up to two minutes.
+. tests/tools/zsim.sh
+gcc -O2 -Wall -Wextra -Werror "$top/tests/tools/desktop.c" -lX11 -lpng -o desktop || exit 1
+unset WAYLAND_DISPLAY XDG_SESSION_TYPE SDL_VIDEODRIVER
+DISPLAY=
+server=''
+pid=''
+trap 'kill $server $pid 2>/dev/null' EXIT
+trap 'exit 1' INT TERM
+
+until_() { # WHAT COMMAND...    at most two minutes, and not longer than the window is there
+    waited=0
+    what=$1
+    shift
+    until "$@"; do
+        waited=$((waited + 1))
+        if [ $waited -gt ${patience:-1200} ] || { [ -n "$pid" ] && ! kill -0 "$pid" 2>/dev/null; }; then
+            wrong "waited for $what in vain: $(head -c 400 win_err)"
+            patience=20 # what follows need not wait as long
+            return 1
+        fi
+        sleep 0.1
+    done
+}
+
+# ---- The desktop -------------------------------------------------------------------------------
+mkfifo number
+Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 3>number >xvfb.log 2>&1 &
+server=$!
+read -r screen <number
+DISPLAY=:$screen
+export DISPLAY
+
+there() {
+    window=$(xdotool search --name '^zsim: ' 2>xdotool.log | tail -n 1)
+    [ -n "$window" ]
+}
+focused() {
+    xdotool windowfocus "$window" 2>xdotool.log
+    [ "$(xdotool getwindowfocus 2>>xdotool.log)" = "$window" ]
+}
+open_() { # ARGUMENT...    a window; its picture may still come
+    last=" zsim view $*"
+    : >win_out
+    : >win_err
+    n_printed=0
+    "$zsim" view "$@" >>win_out 2>>win_err </dev/null &
+    pid=$!
+    until_ "a window" there && until_ "the focus" focused
+}
+press() { # KEY...
+    xdotool key --delay 1 "$@"
+}
+end() { # how it ended
+    ended=$pid
+    pid=''
+    wait "$ended"
+    is "status at its end" $? 0
+}
+sees() { # PICTURE    where it is, in $place
+    place=$(./desktop find "$window" "$1")
+}
+shown() { # PICTURE
+    until_ "$1 in the window" sees "$1"
+}
+words() { # PATTERN    a sentence on standard error
+    grep -q -- "$1" win_err
+}
+marked() { # as many pixels of the accent's colour below the picture
+    ./desktop count "$window" ffb252 0 $(($(height) - 120)) $(($(width) - 440)) 0
+}
+width() {
+    xdotool getwindowgeometry --shell "$window" | sed -n 's/^WIDTH=//p'
+}
+height() {
+    xdotool getwindowgeometry --shell "$window" | sed -n 's/^HEIGHT=//p'
+}
+says_so() {
+    [ "$(marked)" -gt 20 ]
+}
+says_nothing() {
+    [ "$(marked)" -eq 0 ]
+}
+printed() { # COUNT    so many commands were printed
+    [ "$(grep -c '^zsim ' win_out)" -ge "$1" ]
+}
+# Press p, and run what it prints: the same picture, which is in the window, too. The command is in $line
+written() { # FILE
+    file=$1
+    n_printed=$((n_printed + 1))
+    press p
+    until_ "a command" printed $n_printed || return
+    line=$(grep '^zsim ' win_out | sed -n "${n_printed}p")
+    mv "$file" ours.png
+    eval "set -- $line"
+    shift
+    "$zsim" "$@" >again.txt 2>&1 || wrong "'$line': $(head -c 300 again.txt)"
+    cmp -s ours.png "$file" || wrong "'$line' draws another picture"
+    shown "$file"
+}
+box() { # a box of sides $1 x $2 x $3, and a smaller one behind it
+    awk -v a="$1" -v b="$2" -v c="$3" 'BEGIN {
+        for (k = 0; k < 2; k++) { for (i = 0; i < 8; i++)
+            print "v", (i % 2 - 0.5) * a + k, (int(i / 2) % 2 - 0.5) * b - k / 2, (int(i / 4) - 0.5) * c - 3 * k
+        n = split("1 3 4 2 5 6 8 7 1 2 6 5 3 7 8 4 1 5 7 3 2 4 8 6", v)
+        for (i = 1; i <= n; i += 4) print "f", v[i] + 8 * k, v[i + 1] + 8 * k, v[i + 2] + 8 * k, v[i + 3] + 8 * k } }'
+}
+box 2 1 3 >box.obj
+box 3 3 1 >other.obj
+small='--size 64x48'
+
+begin shows_what_render_draws
+z render box.obj $small --out want.png
+open_ box.obj $small
+shown want.png
+[ "$(word 1 $place)" -ge 4 ] || wrong "64x48 pixels are enlarged only $(word 1 $place) times"
+xdotool windowsize "$window" 900 800
+is_wide() { [ "$(width)" -eq "$1" ]; }
+until_ "the window's other size" is_wide 900
+shown want.png
+press h
+gone() { ! sees want.png; }
+until_ "the keys" gone
+press F1
+shown want.png
+
+begin mouse
+angle() { # FILE.json    degrees about the upright axis, and distance from --at
+    for key in eye_x eye_y eye_z at_x at_y at_z; do
+        look json "$1" $key
+        echo "$seen"
+    done | awk '{ v[NR] = $1 } END { x = v[1] - v[4]; y = v[2] - v[5]; z = v[3] - v[6]
+        print atan2(x, z) * 57.29577951, atan2(y, sqrt(x * x + z * z)) * 57.29577951, sqrt(x * x + y * y + z * z) }'
+}
+z render box.obj $small --out want.png --stats before.json
+xdotool mousemove --window "$window" 200 200 mousedown 1 mousemove --window "$window" 240 190 mouseup 1
+written view.png
+case $line in *--eye=*) ;; *) wrong "a drag does not move the eye: $line" ;; esac
+eval "set -- $line"
+shift
+"$zsim" "$@" --stats after.json
+echo "$(angle before.json) $(angle after.json)" | awk '{ exit !(($1 - $4 - 20) ^ 2 < 0.001 && ($2 - $5 - 5) ^ 2 < 0.001 &&
+    ($6 / $3 - 1) ^ 2 < 1e-8) }' || wrong "40 and 10 px turn it from $(angle before.json) to $(angle after.json)"
+xdotool mousemove --window "$window" 200 200 click 4 click 4
+written view.png
+eval "set -- $line"
+shift
+"$zsim" "$@" --stats near.json
+echo "$(angle after.json) $(angle near.json)" | awk '{ exit !(($6 / $3 - 0.81) ^ 2 < 1e-8 && ($4 - $1) ^ 2 < 0.001) }' ||
+    wrong "the wheel goes from $(angle after.json) to $(angle near.json)"
+xdotool mousemove --window "$window" 200 200 mousedown 3 mousemove --window "$window" 220 200 mouseup 3
+written view.png
+case $line in *--at=*) ;; *) wrong "another button does not move what it looks at: $line" ;; esac
+press 0
+shown want.png
+
+begin keys_are_options
+for pair in s:--shade=id v:--method=hiz d:--depth=recip b:--depth-bits=14 r:--strip=24 t:--tris=2000 e:--verts=2000 \
+    n:--near= o:--projection=orthographic c:--cull=front l:--style=wire f:--show=depth a:--fast=none Left:--eye=; do
+    press BackSpace "${pair%%:*}"
+    written view.png
+    case $line in *" ${pair#*:}"*) ;; *) wrong "key ${pair%%:*} gives '$line'" ;; esac
+done
+press BackSpace shift+b shift+f
+written view.png
+case $line in *--depth-bits=8*--show=strips*) ;; *) wrong "Shift does not step back: $line" ;; esac
+press BackSpace s shift+s
+written view.png
+is "a setting stepped to and back" "$line" "zsim render box.obj --size=64x48 --out=view.png"
+press g k
+written view.png
+case $line in *--size*) wrong "--size stays beside a panel: $line" ;; *--panel=*:*--rotate=90*) ;; *) wrong "$line" ;; esac
+press BackSpace
+
+begin figures_are_budgets
+written view.png
+"$zsim" budget box.obj $small --shade flat --csv --part rp2040 >budget.csv
+"$zsim" budget box.obj $small --shade flat --csv --part stm32f405 >ram.csv
+ram=$(sed -n 's/^# RAM \([0-9]*\) bytes;.*/\1/p' win_out | tail -n 1)
+fps=$(sed -n 's/^# RAM .* rp2040 \([0-9.]*\) .*/\1/p' win_out | tail -n 1)
+is "RAM" "$ram" "$(sed -n 's/^ram,\([0-9]*\),.*/\1/p' ram.csv)"
+sed -n 's/^draw_ms,\([0-9.]*\),.*/\1/p' budget.csv | awk -v fps="$fps" '{ n++; d = 1000 / fps - $1 }
+    END { exit !(n == 1 && d < 0.0006 && d > -0.0006) }' || wrong "$fps frames a second; $(grep draw_ms budget.csv)"
+
+begin what_is_refused
+press BackSpace v v v
+written view.png
+good=$line
+until_ "silence" says_nothing
+: >win_err
+press d
+until_ "a sentence" words '^zsim: --method depthsort brings its depth mapping: leave --depth out'
+until_ "the sentence in the window" says_so
+shown view.png
+is "lines on standard error" "$(wc -l <win_err | tr -d ' ')" 1
+written view.png
+is "the command of what is seen" "$line" "$good"
+press shift+d
+until_ "silence again" says_nothing
+press BackSpace r r r r r r r g g g g g g g g g
+until_ "the strip's sentence" words '^zsim: box.obj: --strip 1: ssd1306:128x64 takes 8 rows at a time'
+until_ "the sentence in the window" says_so
+press BackSpace
+shown want.png
+
+begin reloads
+z render other.obj $small --out other.png
+: >win_err
+cp box.obj kept.obj
+cp other.obj box.obj
+shown other.png
+printf 'v 1 2 3\nf 1 2 99\n' >box.obj
+"$zsim" render box.obj --out none.png 2>sentence.txt >again.txt && wrong "the broken file is drawn"
+broken() { grep -qxF -- "$(cat sentence.txt)" win_err; }
+until_ "the broken file's sentence" broken
+until_ "it in the window" says_so
+shown other.png
+press Left
+other_gone() { ! sees other.png; }
+until_ "the last model to turn" other_gone
+until_ "it in the window, still" says_so
+press 0
+shown other.png
+cp kept.obj box.obj
+shown want.png
+until_ "silence" says_nothing
+press q
+end
+
+begin ends
+open_ box.obj $small
+press Escape
+end
+open_ box.obj $small
+./desktop close "$window" || wrong "the window's button cannot be pressed"
+end
+
+begin turns
+open_ box.obj $small --background 402010
+z render box.obj $small --background 402010 --out want.png
+shown want.png
+press space
+until_ "it to turn" gone
+press space
+written view.png
+press q
+end
+
+begin scenes
+mkdir -p seen
+"$zsim" demo --scene cubes --size 80x60 --frames 1 --out seen >again.txt 2>&1 || wrong "$(cat again.txt)"
+open_ --scene cubes --size=80x60 --out frames
+shown seen/cubes_000.png
+press Right Right f
+written frames/cubes_002.png
+is "command" "$line" "zsim demo --scene=cubes --size=80x60 --out=frames --start=2 --frames=1 --show=depth"
+press Left f
+written frames/cubes_001.png
+press BackSpace
+written frames/cubes_000.png
+is "command" "$line" "zsim demo --scene=cubes --size=80x60 --out=frames --start=0 --frames=1"
+press q
+end
+
+begin no_desktop
+DISPLAY='' z view box.obj
+one_line 1 'no window can be opened'
+DISPLAY=:77777 z view box.obj
+one_line 1 'no window can be opened'
+
+begin no_sdl
+printf '#include "window.h"\nint main(void)\n{\n    int w, h;\n    return view_desktop_size(&w, &h);\n}\n' >without.c
+gcc -std=gnu11 -Wall -Wextra -Werror -DVIEW_SDL=0 -I"$top/sim/view" -I"$top/sim/cli" without.c "$top/sim/view/window.c" \
+    "$top/sim/cli/sim.c" -o without || wrong "it does not compile"
+./without >stdout 2>stderr
+status=$?
+one_line 1 'the package libsdl2-dev is missing'
+
+begin refusals
+z view
+one_line 2 'a model is missing'
+z view none.obj
+one_line 1 'none.obj: cannot be read'
+z view box.obj --stats s.json
+one_line 2 '--stats has no use in a window'
+z view box.obj --scene cubes
+one_line 2 'leave one out'
+z view --scene none
+one_line 1 'there is no such scene'
+z view box.obj --strip 0
+one_line 1 'a strip has at least 1 row'
+z view --help
+[ $status -eq 0 ] && grep -q '^  --scene NAME' stdout && grep -q '^  --strip ROWS' stdout && ! grep -q -e --stats stdout ||
+    wrong "help: status $status"
+finish
+[ $n_failed -eq 0 ]
