@@ -305,6 +305,24 @@ static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, u
 
 #endif
 
+/* The largest of 0, a and b minus the least. |a|, |b| < 2^30 */
+static inline uint32_t zs_range32(int32_t a, int32_t b)
+{
+    const int32_t low = a < b ? a : b, high = a < b ? b : a;
+    return (uint32_t)((high & ~(high >> 31)) - (low & low >> 31));
+}
+
+/* Return (gx x + gy y + 128) / 256, floor, modulo 2^32: how much a plane changes over x, y, q24_8.
+ * |x|, |y| <= 2^22. Cores without wide products take the low 8 bits of the gradients apart: their
+ * sum is below 2^31. */
+static inline uint32_t zs_plane_step(int32_t gx, int32_t x, int32_t gy, int32_t y)
+{
+    if (ZS_DIVIDES)
+        return (uint32_t)((zs_mul_ss(gx, x) + zs_mul_ss(gy, y) + 128) >> 8);
+    return (uint32_t)(gx >> 8) * (uint32_t)x + (uint32_t)(gy >> 8) * (uint32_t)y +
+           (uint32_t)(((gx & 255) * x + (gy & 255) * y + 128) >> 8);
+}
+
 /* x has 32 bits: keep the compiler from holding it in 64 bits because it is used in products. */
 #if defined(__GNUC__)
 #define ZS_NARROW(x) __asm__("" : "+r"(x))

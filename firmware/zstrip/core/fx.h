@@ -104,13 +104,6 @@ static inline int32_t zs_max32(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* The largest of 0, a and b minus the least. |a|, |b| < 2^30 */
-static inline uint32_t zs_range32(int32_t a, int32_t b)
-{
-    const int32_t low = a < b ? a : b, high = a < b ? b : a;
-    return (uint32_t)((high & ~(high >> 31)) - (low & low >> 31));
-}
-
 static inline uint32_t zs_minu32(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;
@@ -130,17 +123,6 @@ int64_t zs_scale2(int64_t v, int n);
 static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
 {
     return a * (uint32_t)b;
-}
-
-/* Return (gx x + gy y + 128) / 256, floor, modulo 2^32: how much a plane changes over x, y, q24_8.
- * |x|, |y| <= 2^22. Cores without wide products take the low 8 bits of the gradients apart. */
-ZS_ALWAYS_INLINE uint32_t zs_plane_step(int32_t gx, int32_t x, int32_t gy, int32_t y)
-{
-    if (ZS_DIVIDES)
-        return (uint32_t)((zs_mul_ss(gx, x) + zs_mul_ss(gy, y) + 128) >> 8);
-    const int32_t low = (gx & 255) * x + (gy & 255) * y + 128; /* |.| < 2^31 */
-    return zs_wrap_mul((uint32_t)(gx >> 8), x) + zs_wrap_mul((uint32_t)(gy >> 8), y) +
-           (uint32_t)(low >> 8);
 }
 
 /* v * d modulo 2^64. */

@@ -51,9 +51,7 @@ ZS_ALWAYS_INLINE int32_t plane(const struct zs_small *s, const struct zs_coordin
                                struct zs_texel_rows *w, int k)
 {
     struct zs_plane p;
-    const struct zs_geom g = {
-        .dx1 = s->dx1, .dx2 = s->dx2, .dy1 = s->dy1, .dy2 = s->dy2, .rcp = s->rcp
-    };
+    const struct zs_geom g = { .dx = { s->dx1, s->dx2 }, .dy = { s->dy1, s->dy2 }, .rcp = s->rcp };
     const int32_t bad = zs_texture_plane(&p, c, &g, shift, -s->x, s->off, uv_bits, log2);
     w->right[k] = p.gx;
     w->down[k] = p.gy;

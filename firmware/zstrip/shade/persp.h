@@ -113,9 +113,8 @@ static inline uint16_t zs_smooth_pack(uint32_t red, uint32_t green, uint32_t blu
 /* Attributes of a job's three vertices in the pool, job->v[] in the order of job->tri->v[]. */
 static inline void zs_persp_attrs(const struct zs_job *job, const uint16_t *a[3])
 {
-    const struct zs_renderer *r = job->r;
-    const uint16_t *const attr = r->attr, *const v = job->tri->v;
-    const uint32_t n = r->config.varyings;
+    const uint16_t *const attr = job->r->attr, *const v = job->tri->v;
+    const uint32_t n = job->r->config.varyings;
     a[0] = attr + v[0] * n;
     a[1] = attr + v[1] * n;
     a[2] = attr + v[2] * n;

@@ -100,18 +100,8 @@ static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
 
 ZS_RARE uint32_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift)
 {
-    const int64_t q = zs_times_rcp(n, rcp, shift == 32 ? 0x80000000u : 0);
-    if (shift == 32)
-        return (uint32_t)(q >> 32);
-    return (uint32_t)((((int32_t)(q >> 32) >> (shift - 33)) + 1) >> 1);
+    return (uint32_t)(((zs_times_rcp(n, rcp, 0) >> (shift - 1)) + 1) >> 1);
 }
-
-#if !ZS_DIVIDES
-uint64_t zs_texture_gradient_call(int32_t n, uint32_t rcp, int32_t shift)
-{
-    return zs_texture_gradient(n, rcp, shift);
-}
-#endif
 
 /* A coordinate relative to the least of the three. */
 struct relative {
@@ -171,12 +161,11 @@ static ZS_NOINLINE void affine_planes(struct zs_job *job, const struct zs_coordi
 }
 
 /* Return 1 if a triangle may be affine, when w changes by `change`, its least value is `least`, and
- * light changes by light_range. */
-ZS_ALWAYS_INLINE int affine_enough(int32_t texels, uint32_t light_range, uint32_t change,
-                                   uint32_t least)
+ * light changes by range. */
+ZS_ALWAYS_INLINE int affine_enough(int32_t texels, uint32_t range, uint32_t change, uint32_t least)
 {
     return zs_texture_affine(texels, change, least) &&
-           (!light_range || zs_texture_light_affine(light_range, change, least));
+           (!range || zs_texture_light_affine(range, change, least));
 }
 
 /* Return ceil(log2(2^texels K |W'|)) for an attribute; -128 if the product is 0. */
@@ -212,11 +201,11 @@ static uint32_t third_power(int32_t n)
 
 ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a[3],
                                                  const struct zs_coordinate c[2], uint32_t uv_bits,
-                                                 const uint32_t w[3])
+                                                 int32_t most, const uint32_t w[3])
 {
     const struct zs_texture *t = job->sampler.texture;
     const int n = job->shader->n_varyings;
-    int32_t need = -128, most = -128;
+    int32_t need = -128;
     zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
     for (int i = 0; i < n; i++) {
         uint32_t un[3], v[3];
@@ -224,8 +213,8 @@ ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint1
         int32_t texels = LIGHT_LOG2;
         if (i < 2) {
             relative(job, &c[i], i, uv_bits, &r);
-            texels = zs_texture_texels(16 - r.up, uv_bits, i ? t->log2_h : t->log2_w);
-            most = zs_max32(most, texels);
+            texels = 16 - r.up - (int32_t)uv_bits +
+                     (int32_t)zs_maxu32(i ? t->log2_h : t->log2_w, ZS_TEXTURE_FLOOR_LOG2);
         }
         for (int k = 0; k < 3; k++) {
             un[k] = i < 2 ? r.above[k] << r.up : a[k][2]; /* < 2^16 */
@@ -273,7 +262,7 @@ void zs_texture_start(struct zs_job *job)
         zs_persp_w(job, w);
         change = zs_persp_change(w, &least);
         if (!affine_enough(texels, light_range, change, least)) {
-            start_groups(job, a, c, uv_bits, w);
+            start_groups(job, a, c, uv_bits, texels, w);
             return;
         }
     }

@@ -51,15 +51,9 @@ ZS_ALWAYS_INLINE void zs_texture_coordinate(struct zs_coordinate *out, int32_t a
     out->range = zs_range32(b - a, c - a);
 }
 
-/* Return log2 of the texels that the full range of 16 bits spans, if a range takes `bits` bits of
- * it: 2^-uv_bits repeats of 2^log2 texels, or of at least 128. */
-static inline int32_t zs_texture_texels(int32_t bits, uint32_t uv_bits, uint32_t log2)
-{
-    return bits - (int32_t)uv_bits + (int32_t)zs_maxu32(log2, ZS_TEXTURE_FLOOR_LOG2);
-}
-
-/* Return the larger one of u and v. The range of one, shifted by its texture's size, has as many
- * bits as both that are or-ed. */
+/* Return log2 of the texels that 16 bits of u or v span, whichever are more, if the range takes the
+ * upper ones of these; with at least 128 texels for each repeat. The larger of two ranges, shifted
+ * by the texture's size, has as many bits as both that are or-ed. */
 ZS_ALWAYS_INLINE int32_t zs_texture_most(const struct zs_texture *t, const struct zs_coordinate *u,
                                          const struct zs_coordinate *v, uint32_t uv_bits)
 {
@@ -98,10 +92,16 @@ static inline int64_t zs_times_rcp(int32_t v, uint32_t rcp, uint32_t more)
 /* zs_texture_gradient for shift > 31. */
 uint32_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift);
 
+#if ZS_DIVIDES
+#define ZS_TEXTURE_GRADIENT ZS_ALWAYS_INLINE
+#else /* few registers: a function of its own */
+#define ZS_TEXTURE_GRADIENT static ZS_NOINLINE __attribute__((unused))
+#endif
+
 /* Return 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats. shift = 23 +
  * uv_bits - the leading zeros of the area, 1 .. 36. The upper word is not 0 if the result does not
  * fit 32 bits with its sign. |n| < 2^31. The error is 2^-30 of the result, and 1/2 ulp. */
-ZS_ALWAYS_INLINE uint64_t zs_texture_gradient(int32_t n, uint32_t rcp, int32_t shift)
+ZS_TEXTURE_GRADIENT uint64_t zs_texture_gradient(int32_t n, uint32_t rcp, int32_t shift)
 {
     if (ZS_SELDOM(shift > 31))
         return zs_texture_gentle(n, rcp, shift);
@@ -111,14 +111,6 @@ ZS_ALWAYS_INLINE uint64_t zs_texture_gradient(int32_t n, uint32_t rcp, int32_t s
     return (uint64_t)(uint32_t)(hi >> shift ^ (int32_t)low >> 31) << 32 | low;
 }
 
-/* The same as a function, for a core with few registers. */
-#if ZS_DIVIDES
-#define ZS_TEXTURE_GRADIENT zs_texture_gradient
-#else
-#define ZS_TEXTURE_GRADIENT zs_texture_gradient_call
-uint64_t zs_texture_gradient_call(int32_t n, uint32_t rcp, int32_t shift);
-#endif
-
 /* Compute a coordinate's gradients, and its value at the sample x, y, q24_8, from the first vertex:
  * 2^-32 repeats, modulo one repeat. The 32768 that make coordinates unsigned are whole repeats. For
  * a range below 2^14; of g, the differences, at most 2^16, and rcp are used. shift: that of
@@ -127,9 +119,8 @@ ZS_ALWAYS_INLINE int32_t zs_texture_plane(struct zs_plane *out, const struct zs_
                                           const struct zs_geom *g, int32_t shift, int32_t x,
                                           int32_t y, uint32_t uv_bits, uint32_t log2)
 {
-    const int32_t d1 = c->d1, d2 = c->d2;
-    const uint64_t gx = ZS_TEXTURE_GRADIENT(d1 * g->dy2 - d2 * g->dy1, g->rcp, shift),
-                   gy = ZS_TEXTURE_GRADIENT(d2 * g->dx1 - d1 * g->dx2, g->rcp, shift);
+    const uint64_t gx = zs_texture_gradient(c->d1 * g->dy2 - c->d2 * g->dy1, g->rcp, shift),
+                   gy = zs_texture_gradient(c->d2 * g->dx1 - c->d1 * g->dx2, g->rcp, shift);
     out->gx = (uint32_t)gx;
     out->gy = (uint32_t)gy;
     out->base = ((uint32_t)c->a << 1 << (31u - uv_bits)) +
