@@ -169,6 +169,23 @@ for (const [name, what, cases] of models)
         for (const key of ['triangles_drawn', 'pixels_tested', 'passes', 'arena_bytes', 'rejected_facing']) is(key, drawn.stats[key], stats[key]);
     });
 
+test('web_engine_single', (is) => {
+    const { model } = ring(48, 20, {}), far = Float32Array.from(model.positions, (v, i) => Math.round(200 * v) / 10 + (i % 3 === 0 ? 300 : 0)); // tenths, which single precision has not
+    const rows = (n, of) => Array.from({ length: n }, (_, i) => of(i)).join('\n');
+    writeFileSync(`${work}/ring.ply`, `ply\nformat ascii 1.0\nelement vertex ${far.length / 3}\nproperty float x\nproperty float y\n` +
+        `property float z\nelement face ${model.indices.length / 3}\nproperty list uchar int vertex_indices\nend_header\n` +
+        rows(far.length / 3, (i) => far.slice(3 * i, 3 * i + 3).join(' ')) + '\n' +
+        rows(model.indices.length / 3, (i) => `3 ${model.indices.slice(3 * i, 3 * i + 3).join(' ')}`) + '\n');
+    configure({});
+    is('setModel', engine.setModel({ ...model, name: 'ring.ply', positions: far }).error, '');
+    for (const words of [[], ['--precise', '--shade=smooth'], ['--mesh=file']]) {
+        const made = run('render', `${work}/ring.ply`, '--out', `${work}/ring.png`, ...words);
+        is(`${words}: refusals`, [made.status, configure(asOptions(words)).error], [0, '']);
+        engine.render();
+        is(`${words}: pixels that differ`, differ(picture().rgb, readPng(readFileSync(`${work}/ring.png`)).rgb), 0);
+    }
+});
+
 // ---- Sentences
 
 const ending = (stderr) => stderr.trim().split('\n').at(-1).replace(/^zsim: /, '').replace(/; see zsim --help$/, '').replace(/^.*ring\.obj: /, '');
@@ -184,6 +201,7 @@ test('web_engine_refusals', (is) => {
         const made = run('render', `${work}/ring.obj`, '--out', `${work}/none.png`, ...words), answer = configure(asOptions(words));
         is(`${words}: refused`, [answer.ok, made.status > 0], [false, true]);
         is(`${words}`, answer.error.replace(/^(ring\.obj|model): /, ''), ending(made.stderr));
+        is(`${words}: no option changes`, engine.options().filter((one) => one.value !== undefined), []);
         is(`${words}: nothing changes`, sum(engine.render().pixels), before);
     }
     is('no model', engine.setModel({ name: 'none.obj', positions: new Float64Array(9), indices: new Uint32Array(0) }).error,
