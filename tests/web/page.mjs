@@ -1,11 +1,11 @@
 /* The page as a browser shows it: opened from a file, with models dropped into it.
  *
  * Usage: node tests/web/page.mjs PAGE.html FOLDER
- * FOLDER has held.obj, bad.obj, and held.rgb: raw pixels that zsim drew of held.obj, at held.size "W H".
+ * FOLDER has models, bad.obj, and of each good one MODEL.rgb, the pixels that zsim drew, and MODEL.size, "W H".
  *
  * SPDX-License-Identifier: MIT
  */
-import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser } from './browser.mjs';
 
@@ -178,44 +178,49 @@ await test('web_link', async () => {
     await other.send('Page.close');
 });
 
-if (existsSync(join(folder, 'held.obj'))) {
-    await test('web_model', async () => {
-        await take(p, 'held.obj', 'held.mtl');
-        same(await p.value(text('error')), '', 'error');
-        const [width, height] = readFileSync(join(folder, 'held.size'), 'utf8').trim().split(' ').map(Number);
-        const got = await p.value(`(() => { ${PIXELS}
-            let s = c.width + ' ' + c.height; for (let i = 0; i < d.length; i += 4) s += ' ' + (d[i] << 16 | d[i + 1] << 8 | d[i + 2]);
-            return s; })()`);
-        const values = got.split(' ').map(Number), wanted = readFileSync(join(folder, 'held.rgb'));
-        same(`${values[0]}x${values[1]}`, `${width}x${height}`, 'size');
-        let wrong = 0, drawn = 0;
-        for (let i = 0; i < width * height; i++) {
-            const rgb = wanted[3 * i] << 16 | wanted[3 * i + 1] << 8 | wanted[3 * i + 2];
-            wrong += rgb !== values[i + 2];
-            drawn += rgb !== 0;
-        }
-        must(drawn > 1000, `zsim drew ${drawn} pixels`);
-        same(wrong, 0, 'pixels that differ from those of zsim render');
-        return `${width}x${height}, ${drawn} pixels drawn`;
-    });
-
-    await test('web_files', async () => {
-        const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
-            URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };
-            document.getElementById('get-h').click(); })`);
-        must(/THING_RADIUS/.test(got) && /thing_instance/.test(got), got.slice(0, 80));
-    });
-
-    await test('web_bad_model', async () => {
-        const before = await p.value(SUM);
-        await take(p, 'bad.obj');
-        const why = await p.value(text('error'));
-        must(/^bad\.obj:6: .*out of range/.test(why), why);
-        same(await p.value(SUM), before, 'the last good picture');
-        await take(p, 'held.obj', 'held.mtl');
-        same(await p.value(text('error')), '', 'error after a good model');
-    });
+/* How many pixels differ from those that zsim drew; a model of several files. */
+async function compare(name, ...others) {
+    await take(p, name, ...others);
+    same(await p.value(text('error')), '', 'error');
+    const [width, height] = readFileSync(join(folder, `${name}.size`), 'utf8').trim().split(' ').map(Number);
+    const got = await p.value(`(() => { ${PIXELS}
+        let s = c.width + ' ' + c.height; for (let i = 0; i < d.length; i += 4) s += ' ' + (d[i] << 16 | d[i + 1] << 8 | d[i + 2]);
+        return s; })()`);
+    const values = got.split(' ').map(Number), wanted = readFileSync(join(folder, `${name}.rgb`));
+    same(`${values[0]}x${values[1]}`, `${width}x${height}`, 'size');
+    let wrong = 0, drawn = 0;
+    for (let i = 0; i < width * height; i++) {
+        const rgb = wanted[3 * i] << 16 | wanted[3 * i + 1] << 8 | wanted[3 * i + 2];
+        wrong += rgb !== values[i + 2];
+        drawn += rgb !== 0;
+    }
+    must(drawn > 10000, `zsim drew ${drawn} pixels`);
+    same(wrong, 0, 'pixels that differ from those of zsim render');
+    return `${drawn} pixels drawn`;
 }
+
+await test('web_model', () => compare('held.obj', 'held.mtl'));
+await test('web_obj', () => compare('ring.obj', 'ring.mtl', 'ring.png'));
+await test('web_stl', () => compare('ring.stl'));
+await test('web_ply', () => compare('ring.ply'));
+await test('web_glb', () => compare('ring.glb'));
+
+await test('web_files', async () => {
+    const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
+        URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };
+        document.getElementById('get-h').click(); })`);
+    must(/THING_RADIUS/.test(got) && /thing_instance/.test(got), got.slice(0, 80));
+});
+
+await test('web_bad_model', async () => {
+    const before = await p.value(SUM);
+    await take(p, 'bad.obj');
+    const why = await p.value(text('error'));
+    must(/^bad\.obj:6: .*out of range/.test(why), why);
+    same(await p.value(SUM), before, 'the last good picture');
+    await take(p, 'held.obj', 'held.mtl');
+    same(await p.value(text('error')), '', 'error after a good model');
+});
 
 await test('web_quiet', () => {
     same(p.errors.join(' | '), '', 'console');

@@ -96,7 +96,7 @@ export class Controls {
         if (kind === 'choice') {
             const own = usual === undefined ? [make('option', { value: '', textContent: 'as the model has it' })] : [];
             input = make('select', {}, ...own, ...option.choices.map((value) =>
-                make('option', { value, textContent: (CHOICE[value] || value) + (value === usual ? ' ·' : '') })));
+                make('option', { value, textContent: CHOICE[value] || value })));
             input.addEventListener('change', () => this.change(name, input.value === '' || input.value === usual ? undefined : input.value));
         } else if (kind === 'flag') {
             input = make('input', { type: 'checkbox' });

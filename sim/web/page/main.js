@@ -136,7 +136,7 @@ function settleSometimes(now) {
 function fillParts(parts) {
     const select = id('part');
     if (select.options.length !== parts.length)
-        select.replaceChildren(...parts.map((p) => make('option', { value: p.name, textContent: p.title || p.name })));
+        select.replaceChildren(...parts.map((p) => make('option', { value: p.name, textContent: p.text ? `${p.name}: ${p.text}` : p.name })));
     select.value = app.part;
 }
 
@@ -206,6 +206,7 @@ function chooseScene(name) {
         say(answer.error);
         return;
     }
+    mean = 0;
     app.scene = name;
     app.model = null;
     app.time = 0;
@@ -228,6 +229,7 @@ async function takeFiles(files) {
     try {
         const model = await readModel(files), answer = app.engine.setModel(model);
         if (!answer.ok) throw new Error(answer.error);
+        mean = 0;
         app.model = model;
         app.scene = '';
         app.modelError = undefined;
@@ -237,6 +239,7 @@ async function takeFiles(files) {
             ...model.losses, ...(answer.losses || [])].join('\n');
         markScene();
         app.stage.goHome();
+        draw();
     } catch (e) {
         app.modelError = e.message;
         say(e.message);
@@ -250,7 +253,7 @@ const quoted = (word) => (/^[\w.,:=+/@-]+$/.test(word) ? word : `'${word.replace
 
 function command() {
     const words = app.engine.commandLine ? app.engine.commandLine() : [];
-    const bare = words.map((w) => quoted(w.replace('=', ' ')).replace(/^'(--[\w-]+) /, "$1 '").replace(/'(--[\w-]+) ([\w.,:+/@-]+)'/, '$1 $2'));
+    const bare = words.map((w) => w.replace(/^(--[\w-]+)=(.*)$/s, (_, name, value) => `${name} ${quoted(value)}`));
     const v = app.stage.view, turned = v.yaw !== HOME.yaw || v.pitch !== HOME.pitch || v.distance !== 1;
     id('command').textContent = app.model
         ? `build/zsim render ${quoted(app.model.name)} ${bare.join(' ')} --out frame.png${turned ? '   # from its own camera' : ''}`

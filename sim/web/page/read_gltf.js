@@ -25,16 +25,18 @@ function splitGlb(name, bytes) {
     return { json, bin: at + 8 <= bytes.length ? bytes.subarray(at + 8, at + 8 + view.getUint32(at, true)) : null };
 }
 
-/* A matrix, column by column, of a node. */
+/* A matrix, column by column, of a node: in single precision, as assimp has it, so that zsim's vertices come out. */
 function matrixOf(node) {
-    if (node.matrix) return node.matrix;
-    const [x, y, z, w] = node.rotation || [0, 0, 0, 1], s = node.scale || [1, 1, 1], t = node.translation || [0, 0, 0];
-    return [
-        (1 - 2 * (y * y + z * z)) * s[0], 2 * (x * y + z * w) * s[0], 2 * (x * z - y * w) * s[0], 0,
-        2 * (x * y - z * w) * s[1], (1 - 2 * (x * x + z * z)) * s[1], 2 * (y * z + x * w) * s[1], 0,
-        2 * (x * z + y * w) * s[2], 2 * (y * z - x * w) * s[2], (1 - 2 * (x * x + y * y)) * s[2], 0,
-        t[0], t[1], t[2], 1,
-    ];
+    const f = Math.fround;
+    if (node.matrix) return node.matrix.map(f);
+    const [x, y, z, w] = (node.rotation || [0, 0, 0, 1]).map(f), s = (node.scale || [1, 1, 1]).map(f);
+    const t = (node.translation || [0, 0, 0]).map(f);
+    const one = (a, b) => f(1 - f(2 * f(f(a * a) + f(b * b))));
+    const sum = (a, b, c, d, sign) => f(2 * f(f(a * b) + sign * f(c * d)));
+    const r = [one(y, z), sum(x, y, z, w, 1), sum(x, z, y, w, -1), sum(x, y, z, w, -1), one(x, z), sum(y, z, x, w, 1),
+        sum(x, z, y, w, 1), sum(y, z, x, w, -1), one(x, y)];
+    const m = r.map((v, i) => f(v * s[Math.floor(i / 3)]));
+    return [m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0, t[0], t[1], t[2], 1];
 }
 
 function times(a, b) {
