@@ -23,7 +23,8 @@ awk 'BEGIN {
     for (j = 0; j < 12; j++) {
         if (j == 6) print "usemtl blue"
         for (i = 0; i < 24; i++)
-            printf "f %d %d %d %d\n", j * 24 + i + 1, (j + 1) * 24 + i + 1, (j + 1) * 24 + (i + 1) % 24 + 1, j * 24 + (i + 1) % 24 + 1
+            printf "f %d %d %d %d\n", j * 24 + i + 1, (j + 1) * 24 + i + 1, (j + 1) * 24 + (i + 1) % 24 + 1,
+                j * 24 + (i + 1) % 24 + 1
     }
     print "f -1 -2 -3"
 }' >"$work/held.obj"
