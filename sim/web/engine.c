@@ -247,6 +247,12 @@ WEB_EXPORT(stats) const char *web_stats(void)
     sim_stats_frame(&json, &web.drawn.frame, &web.drawn.config);
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++)
         sim_json_number(&json, own[i].name, own[i].value);
+    if (web.chosen.compare) {
+        sim_json_number(&json, "wrong_missing", web.wrong.missing);
+        sim_json_number(&json, "wrong_extra", web.wrong.extra);
+        sim_json_number(&json, "wrong_color", web.wrong.color);
+        sim_json_number(&json, "wrong_one_step", web.wrong.near);
+    }
     sim_json_end(&json);
     return answer_end();
 }

@@ -11,6 +11,7 @@
 #include "model.h"
 #include "render.h"
 #include "scenes.h"
+#include "wrong.h"
 
 #define WEB_EXPORT(name) __attribute__((export_name(#name)))
 
@@ -29,6 +30,7 @@ struct web {
     struct sim_model model;
     struct sim_options chosen;  /* the options, with the shading that was chosen for the model */
     struct sim_rendered drawn;  /* the last good frame; width 0: none */
+    struct web_wrong wrong;     /* of the last comparison */
 };
 extern struct web web;
 

@@ -137,7 +137,7 @@ export class Engine {
 
     /** What configure takes: the options of `zsim render`, by its own table. A name is zsim's without dashes, in camel
      * case, but for width and height (--size), maxTriangles, maxVertices (--tris, --verts), depthMapping (--depth) and
-     * falseColors (--show). zsim: the option's own name. value: what is set; undefined: the engine chooses.
+     * falseColors (--show, and 'wrong': pixels that are not the reference's). zsim: the option's own name. value: what is set; undefined: the engine chooses.
      * @returns {{name: string, zsim: string, kind: 'number'|'choice'|'flag'|'text', choices?: string[], min?: number,
      *            max?: number, step?: number, value: any, text: string}[]} */
     options() {
@@ -158,6 +158,7 @@ export class Engine {
                 Object.assign(one, { kind: 'number', step: row.kind === 'count' ? 1 : 'any', min: row.min, max: row.max });
             out.push(one);
         }
+        out.find((one) => one.name === 'falseColors').choices.push('wrong');
         for (const one of out) one.value = this.#args[one.name];
         return out;
     }
@@ -230,6 +231,10 @@ export class Engine {
         for (const [name, value] of Object.entries(args)) {
             const one = known.get(name);
             if (name === 'width' || name === 'height') continue;
+            if (name === 'falseColors' && value === 'wrong') {
+                words.push('--compare');
+                continue;
+            }
             if (one?.kind === 'flag') {
                 if (value) words.push(one.zsim);
             } else {
@@ -363,7 +368,8 @@ export class Engine {
         const SHARED = ['--cull', '--precise', '--texture-format', '--wrap', '--color', '--simplify'];
         const words = this.#words(this.#args).filter((word) => SHARED.includes(word.split('=')[0]));
         if (this.#args.shade !== undefined) words.push(`--shade=${this.#args.shade === 'id' ? 'raw' : this.#args.shade}`);
-        words.push('--name', name, '--out', '.', '--', this.#name);
+        words.unshift('--name', name, '--out', '.');
+        words.push('--', this.#name);
         const bytes = new TextEncoder().encode(words.map((word) => word + '\0').join(''));
         let out = null;
         const answer = this.#ask(() => this.#with(bytes, (at) => {

@@ -11,6 +11,7 @@
 #include "answer.h"
 #include "framing.h"
 #include "given.h"
+#include "model_reference.h"
 #include "scene_parts.h"
 #include "sim.h"
 #include "vec.h"
@@ -125,8 +126,19 @@ static int turn(struct sim_options *o, const struct sim_model *model, const stru
 int web_model_draw(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o)
 {
     struct sim_options turned = *o;
-    const int status = turn(&turned, model, &web.orbit);
-    return status == SIM_OK ? sim_render_all(out, model, &turned) : status;
+    struct sim_original original;
+    int status = turn(&turned, model, &web.orbit);
+    if (status == SIM_OK)
+        status = sim_render_all(out, model, &turned);
+    if (status != SIM_OK || !o->compare)
+        return status;
+    status = sim_original_render(&original, model, &out->view, &turned);
+    if (status == SIM_OK)
+        web_wrong_draw(&out->shown, &web.wrong, &out->frame, &original.image);
+    else
+        sim_render_free(out);
+    sim_original_free(&original);
+    return status;
 }
 
 /* End: the model that came is drawn from here on, unless it is refused. */

@@ -12,6 +12,7 @@
 #include "piece_frame.h"
 #include "pieces.h"
 #include "sim.h"
+#include "truth.h"
 
 static const struct demo *scene_at(uint32_t i)
 {
@@ -133,6 +134,25 @@ static int has_levels(const struct sim_options *o)
            pm_glass_format(&glass) != PM_RGB565;
 }
 
+/* The frame against the reference's. */
+static int compare(struct sim_rendered *out, const struct demo *scene, const struct demo_frame *at)
+{
+    struct sim_truth truth;
+    if (piece_of(scene) != NULL)
+        return sim_refuse(scene->name, 0, "effects have no reference; choose a scene without");
+    if (out->frame.no_keys) {
+        uint32_t *id = sim_alloc((size_t)out->config.width * out->config.height, sizeof *id);
+        if (sim_frame_ids(id, &at->scene, &at->camera, &out->config) == ZS_OK)
+            sim_frame_cover(&out->frame, id);
+        free(id);
+    }
+    const int err = sim_truth_draw(&truth, &at->scene, &at->camera, &out->config);
+    if (err == SIM_OK)
+        web_wrong_draw(&out->shown, &web.wrong, &out->frame, &truth.image);
+    sim_truth_free(&truth);
+    return err == SIM_OK ? SIM_OK : sim_refuse(scene->name, 0, "the reference could not draw it (%d)", err);
+}
+
 int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o)
 {
     const struct piece *piece = piece_of(scene);
@@ -148,7 +168,8 @@ int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const str
         err = sim_show_draw(&out->shown, NULL, o->show, &at.scene, &at.camera, &out->config, 1.0);
     if (o->explain && piece == NULL)
         (void)sim_explain(scene->name, &at.scene, &at.camera, &out->config, 1.0);
-    if (err == ZS_OK && (!has_levels(o) || through_panel(out, scene, o) == SIM_OK))
+    const int wrong = err == ZS_OK && o->compare && compare(out, scene, &at) != SIM_OK;
+    if (err == ZS_OK && !wrong && (o->compare || !has_levels(o) || through_panel(out, scene, o) == SIM_OK))
         return SIM_OK;
     sim_render_free(out);
     return err == ZS_OK ? SIM_REFUSED
