@@ -80,7 +80,7 @@ pico: $(B)/.setup-test
 linux: $(B)/.setup-linux
 	+@$(MAKE_ALL) $(B)/zstrip-linux
 
-## web: build/web/index.html, one page that a browser opens: drop a model, see it on a panel, its frames a second and RAM
+## web: build/web/index.html, a page for a browser: drop a model, see it on a panel, its frames a second and RAM
 web: $(B)/.setup-web
 	+@$(MAKE_ALL) $(B)/web/index.html
 

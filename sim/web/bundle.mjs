@@ -14,7 +14,8 @@ const folder = resolve(dirname(fileURLToPath(import.meta.url)), 'page');
 const [wasm, to] = process.argv.slice(2);
 const IMPORT = /^import \{([^}]*)\} from '([^']+)';$/gm;
 const EXPORT = /^export (?=(?:async )?(?:function|class|const) ?\*? ?(\w+))/gm;
-const numbers = new Map(), parts = [];
+const numbers = new Map(),
+    parts = [];
 
 function add(file) {
     if (numbers.has(file)) return;
@@ -31,11 +32,17 @@ function add(file) {
     const left = /^\s*(import|export)\b(?!\()/m.exec(text);
     if (left) throw new Error(`${file}: an ${left[1]} that is not understood`);
     numbers.set(file, parts.length);
-    parts.push(`/* ${relative(folder, file)} */\nconst module${parts.length} = (() => {\n${text}\nreturn { ${exported.join(', ')} };\n})();\n`);
+    parts.push(
+        `/* ${relative(folder, file)} */\nconst module${parts.length} = (() => {\n${text}\n` +
+            `return { ${exported.join(', ')} };\n})();\n`,
+    );
 }
 
 add(resolve(folder, 'main.js'));
-const script = parts.join('\n').replace(/<\/(script)/gi, '<\\/$1').replace(/<!--/g, '<\\!--');
+const script = parts
+    .join('\n')
+    .replace(/<\/(script)/gi, '<\\/$1')
+    .replace(/<!--/g, '<\\!--');
 const packed = deflateRawSync(readFileSync(wasm), { level: 9 }).toString('base64');
 const page = readFileSync(resolve(folder, 'index.html'), 'utf8')
     .replace('/*STYLE*/', () => readFileSync(resolve(folder, 'style.css'), 'utf8'))

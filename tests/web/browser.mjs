@@ -14,10 +14,27 @@ export class Browser {
     static async start(program) {
         const b = new Browser();
         b.folder = mkdtempSync(join(tmpdir(), 'zstrip-web-'));
-        b.process = spawn(program, ['--headless=new', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', '--mute-audio',
-            '--disable-dev-shm-usage', '--disable-extensions', '--disable-background-networking', '--disable-component-update',
-            '--no-first-run', '--disable-sync', '--force-color-profile=srgb', `--user-data-dir=${b.folder}`,
-            '--remote-debugging-pipe', 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
+        b.process = spawn(
+            program,
+            [
+                '--headless=new',
+                '--no-sandbox',
+                '--disable-gpu',
+                '--hide-scrollbars',
+                '--mute-audio',
+                '--disable-dev-shm-usage',
+                '--disable-extensions',
+                '--disable-background-networking',
+                '--disable-component-update',
+                '--no-first-run',
+                '--disable-sync',
+                '--force-color-profile=srgb',
+                `--user-data-dir=${b.folder}`,
+                '--remote-debugging-pipe',
+                'about:blank',
+            ],
+            { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] },
+        );
         b.calls = new Map();
         b.listeners = [];
         b.number = 0;
@@ -67,8 +84,15 @@ export class Browser {
         const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
         const page = new Page(this, sessionId, targetId);
         for (const domain of ['Page', 'Runtime', 'Network', 'Log', 'DOM']) await page.send(`${domain}.enable`);
-        await page.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: scale, mobile: touch });
-        await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }] });
+        await page.send('Emulation.setDeviceMetricsOverride', {
+            width,
+            height,
+            deviceScaleFactor: scale,
+            mobile: touch,
+        });
+        await page.send('Emulation.setEmulatedMedia', {
+            features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }],
+        });
         return page;
     }
 
@@ -98,7 +122,8 @@ class Page {
             this.errors.push(params.exceptionDetails.exception?.description || params.exceptionDetails.text);
         if (method === 'Runtime.consoleAPICalled' && /error|warning|assert/.test(params.type))
             this.errors.push(params.args.map((a) => a.value ?? a.description).join(' '));
-        if (method === 'Log.entryAdded' && /error|warning/.test(params.entry.level)) this.errors.push(params.entry.text);
+        if (method === 'Log.entryAdded' && /error|warning/.test(params.entry.level))
+            this.errors.push(params.entry.text);
         if (method === 'Network.requestWillBeSent') this.requests.push(params.request.url);
     }
 
@@ -110,7 +135,9 @@ class Page {
     async value(expression) {
         const got = await this.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
         if (got.exceptionDetails)
-            throw new Error(`${expression}: ${got.exceptionDetails.exception?.description || got.exceptionDetails.text}`);
+            throw new Error(
+                `${expression}: ${got.exceptionDetails.exception?.description || got.exceptionDetails.text}`,
+            );
         return got.result.value;
     }
 
@@ -132,8 +159,15 @@ class Page {
 
     async key(key, code = key) {
         const text = key.length === 1 ? key : undefined;
-        await this.send('Input.dispatchKeyEvent', { type: text ? 'keyDown' : 'rawKeyDown', key, code, text,
-            windowsVirtualKeyCode: { Tab: 9, ArrowLeft: 37, ArrowRight: 39, ArrowUp: 38, ArrowDown: 40, Enter: 13 }[key] });
+        await this.send('Input.dispatchKeyEvent', {
+            type: text ? 'keyDown' : 'rawKeyDown',
+            key,
+            code,
+            text,
+            windowsVirtualKeyCode: { Tab: 9, ArrowLeft: 37, ArrowRight: 39, ArrowUp: 38, ArrowDown: 40, Enter: 13 }[
+                key
+            ],
+        });
         await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key, code });
     }
 
@@ -141,7 +175,11 @@ class Page {
     async picture(whole = false) {
         const size = whole ? (await this.send('Page.getLayoutMetrics')).cssContentSize : null;
         const clip = size ? { x: 0, y: 0, width: size.width, height: size.height, scale: 1 } : undefined;
-        const { data } = await this.send('Page.captureScreenshot', { format: 'png', clip, captureBeyondViewport: whole });
+        const { data } = await this.send('Page.captureScreenshot', {
+            format: 'png',
+            clip,
+            captureBeyondViewport: whole,
+        });
         return Buffer.from(data, 'base64');
     }
 }

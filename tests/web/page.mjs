@@ -1,11 +1,11 @@
 /* The page as a browser shows it: opened from a file, with models dropped into it.
  *
  * Usage: node tests/web/page.mjs PAGE.html FOLDER
- * FOLDER has held.obj, bad.obj, and held.rgb: raw pixels that zsim drew of held.obj, at held.size "W H".
+ * FOLDER has models, bad.obj, and of each good one MODEL.rgb, the pixels that zsim drew, and MODEL.size, "W H".
  *
  * SPDX-License-Identifier: MIT
  */
-import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser } from './browser.mjs';
 
@@ -53,7 +53,8 @@ const PIXELS = `const c = document.getElementById('glass'), copy = new Offscreen
     const on = copy.getContext('2d', { willReadFrequently: true }); on.drawImage(c, 0, 0);
     const d = on.getImageData(0, 0, c.width, c.height).data;`;
 const SUM = `(() => { ${PIXELS}
-    let h = 2166136261; for (const v of d) h = Math.imul(h ^ v, 16777619); return (h >>> 0) + ' ' + c.width + 'x' + c.height; })()`;
+    let h = 2166136261; for (const v of d) h = Math.imul(h ^ v, 16777619);
+    return (h >>> 0) + ' ' + c.width + 'x' + c.height; })()`;
 const set = (id, value, event) => `(() => { const e = document.getElementById('${id}'); e.value = '${value}';
     e.dispatchEvent(new Event('${event}', { bubbles: true })); })()`;
 /* Until the figures beside the picture are those of what is set now. */
@@ -66,7 +67,10 @@ async function change(p, id, value, event = 'change') {
 }
 async function take(p, ...names) {
     const from = await p.value('Number(document.documentElement.dataset.taken || 0)');
-    await p.pick('#pick', names.map((n) => join(folder, n)));
+    await p.pick(
+        '#pick',
+        names.map((n) => join(folder, n)),
+    );
     await p.until(`Number(document.documentElement.dataset.taken) > ${from}`, 'the model is taken');
 }
 
@@ -83,15 +87,20 @@ await test('web_size', () => {
 await test('web_opens', async () => {
     await p.open(url);
     await p.until(READY);
-    const slow = slowness(), ms = Number(await p.value('document.documentElement.dataset.firstPicture'));
-    must(ms < 1000 * slow, `the first picture came after ${ms} ms on a machine that is ${slow.toFixed(1)} times slower`);
+    const slow = slowness(),
+        ms = Number(await p.value('document.documentElement.dataset.firstPicture'));
+    must(
+        ms < 1000 * slow,
+        `the first picture came after ${ms} ms on a machine that is ${slow.toFixed(1)} times slower`,
+    );
     const colors = await p.value(`(() => { ${PIXELS} return new Set(new Uint32Array(d.buffer)).size; })()`);
     must(colors > 20, `a picture of ${colors} colours`);
     return `first picture after ${ms} ms, machine ${slow.toFixed(1)} times slower`;
 });
 
 await test('web_turns', async () => {
-    const before = await p.value(SUM), from = await count(p);
+    const before = await p.value(SUM),
+        from = await count(p);
     await p.value('document.getElementById("glass").focus()');
     await p.key('ArrowRight');
     await settled(p, from);
@@ -123,13 +132,16 @@ await test('web_strip', async () => {
 });
 
 await test('web_parts', async () => {
-    const rows = JSON.parse(await p.value(`JSON.stringify([...document.querySelectorAll('.part')].map((r) => [r.dataset.part,
-        r.querySelector('.rate').textContent, r.querySelectorAll('.over').length]))`));
+    const rows = JSON.parse(
+        await p.value(`JSON.stringify([...document.querySelectorAll('.part')].map((r) => [r.dataset.part,
+        r.querySelector('.rate').textContent, r.querySelectorAll('.over').length]))`),
+    );
     const of = (name) => rows.find((r) => r[0] === name);
     must(rows.length >= 10, `${rows.length} parts`);
     must(Number(of('rp2040')[1].split(' ')[0]) > 5 && of('rp2040')[2] === 0, `rp2040: ${of('rp2040')}`);
     must(of('nrf51822')[2] > 0 && of('nrf51822')[1] === '–', `nrf51822 has 16 KB: ${of('nrf51822')}`);
-    const before = await p.value(text('fps')), from = await count(p);
+    const before = await p.value(text('fps')),
+        from = await count(p);
     await p.value('document.querySelector("[data-part=stm32f746]").click()');
     await settled(p, from);
     const after = await p.value(text('fps'));
@@ -168,7 +180,8 @@ await test('web_views', async () => {
 });
 
 await test('web_link', async () => {
-    const hash = await p.value('location.hash'), sum = await p.value(SUM);
+    const hash = await p.value('location.hash'),
+        sum = await p.value(SUM);
     const other = await browser.page({ width: 1280, height: 900 });
     await other.open(url + hash);
     await other.until(READY);
@@ -178,44 +191,55 @@ await test('web_link', async () => {
     await other.send('Page.close');
 });
 
-if (existsSync(join(folder, 'held.obj'))) {
-    await test('web_model', async () => {
-        await take(p, 'held.obj', 'held.mtl');
-        same(await p.value(text('error')), '', 'error');
-        const [width, height] = readFileSync(join(folder, 'held.size'), 'utf8').trim().split(' ').map(Number);
-        const got = await p.value(`(() => { ${PIXELS}
-            let s = c.width + ' ' + c.height; for (let i = 0; i < d.length; i += 4) s += ' ' + (d[i] << 16 | d[i + 1] << 8 | d[i + 2]);
-            return s; })()`);
-        const values = got.split(' ').map(Number), wanted = readFileSync(join(folder, 'held.rgb'));
-        same(`${values[0]}x${values[1]}`, `${width}x${height}`, 'size');
-        let wrong = 0, drawn = 0;
-        for (let i = 0; i < width * height; i++) {
-            const rgb = wanted[3 * i] << 16 | wanted[3 * i + 1] << 8 | wanted[3 * i + 2];
-            wrong += rgb !== values[i + 2];
-            drawn += rgb !== 0;
-        }
-        must(drawn > 1000, `zsim drew ${drawn} pixels`);
-        same(wrong, 0, 'pixels that differ from those of zsim render');
-        return `${width}x${height}, ${drawn} pixels drawn`;
-    });
-
-    await test('web_files', async () => {
-        const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
-            URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };
-            document.getElementById('get-h').click(); })`);
-        must(/THING_RADIUS/.test(got) && /thing_instance/.test(got), got.slice(0, 80));
-    });
-
-    await test('web_bad_model', async () => {
-        const before = await p.value(SUM);
-        await take(p, 'bad.obj');
-        const why = await p.value(text('error'));
-        must(/^bad\.obj:6: .*out of range/.test(why), why);
-        same(await p.value(SUM), before, 'the last good picture');
-        await take(p, 'held.obj', 'held.mtl');
-        same(await p.value(text('error')), '', 'error after a good model');
-    });
+/* How many pixels differ from those that zsim drew; a model of several files. */
+async function compare(name, ...others) {
+    await take(p, name, ...others);
+    same(await p.value(text('error')), '', 'error');
+    const [width, height] = readFileSync(join(folder, `${name}.size`), 'utf8')
+        .trim()
+        .split(' ')
+        .map(Number);
+    const got = await p.value(`(() => { ${PIXELS}
+        let s = c.width + ' ' + c.height;
+        for (let i = 0; i < d.length; i += 4) s += ' ' + (d[i] << 16 | d[i + 1] << 8 | d[i + 2]);
+        return s; })()`);
+    const values = got.split(' ').map(Number),
+        wanted = readFileSync(join(folder, `${name}.rgb`));
+    same(`${values[0]}x${values[1]}`, `${width}x${height}`, 'size');
+    let wrong = 0,
+        drawn = 0;
+    for (let i = 0; i < width * height; i++) {
+        const rgb = (wanted[3 * i] << 16) | (wanted[3 * i + 1] << 8) | wanted[3 * i + 2];
+        wrong += rgb !== values[i + 2];
+        drawn += rgb !== 0;
+    }
+    must(drawn > 10000, `zsim drew ${drawn} pixels`);
+    same(wrong, 0, 'pixels that differ from those of zsim render');
+    return `${drawn} pixels drawn`;
 }
+
+await test('web_model', () => compare('held.obj', 'held.mtl'));
+await test('web_obj', () => compare('ring.obj', 'ring.mtl', 'ring.png'));
+await test('web_stl', () => compare('ring.stl'));
+await test('web_ply', () => compare('ring.ply'));
+await test('web_glb', () => compare('ring.glb'));
+
+await test('web_files', async () => {
+    const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
+        URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };
+        document.getElementById('get-h').click(); })`);
+    must(/THING_RADIUS/.test(got) && /thing_instance/.test(got), got.slice(0, 80));
+});
+
+await test('web_bad_model', async () => {
+    const before = await p.value(SUM);
+    await take(p, 'bad.obj');
+    const why = await p.value(text('error'));
+    must(/^bad\.obj:6: .*out of range/.test(why), why);
+    same(await p.value(SUM), before, 'the last good picture');
+    await take(p, 'held.obj', 'held.mtl');
+    same(await p.value(text('error')), '', 'error after a good model');
+});
 
 await test('web_quiet', () => {
     same(p.errors.join(' | '), '', 'console');
@@ -228,9 +252,11 @@ await test('web_phone', async () => {
     await phone.open(url);
     await phone.until(READY);
     const got = await phone.value(`JSON.stringify([document.documentElement.scrollWidth,
-        document.getElementById('glass').getBoundingClientRect().width * devicePixelRatio / document.getElementById('glass').width,
+        document.getElementById('glass').getBoundingClientRect().width * devicePixelRatio /
+            document.getElementById('glass').width,
         document.querySelectorAll('input:not([type=hidden]), select').length,
-        [...document.querySelectorAll('input, select')].filter((e) => !e.labels || e.labels.length === 0).map((e) => e.id).join()])`);
+        [...document.querySelectorAll('input, select')]
+            .filter((e) => !e.labels || e.labels.length === 0).map((e) => e.id).join()])`);
     const [width, factor, fields, nameless] = JSON.parse(got);
     must(width <= 390, `the page is ${width} px wide`);
     must(Number.isInteger(factor) && factor >= 1, `pixels are enlarged ${factor} times`);
@@ -245,11 +271,16 @@ await test('web_keyboard', async () => {
     const seen = new Set();
     for (let i = 0; i < 90; i++) {
         await p.key('Tab');
-        seen.add(await p.value(`(() => { const e = document.activeElement, s = getComputedStyle(e), box = e.closest('.drop');
-            const line = (box ? getComputedStyle(box) : s).outlineStyle; return e.id + ' ' + line; })()`));
+        seen.add(
+            await p.value(`(() => { const e = document.activeElement, s = getComputedStyle(e), box = e.closest('.drop');
+            const line = (box ? getComputedStyle(box) : s).outlineStyle; return e.id + ' ' + line; })()`),
+        );
     }
     for (const id of ['pick', 'panel', 'set-strip', 'glass', 'turn', 'theme'])
-        must([...seen].some((s) => s.startsWith(`${id} `) && !s.endsWith(' none')), `Tab does not reach ${id} visibly`);
+        must(
+            [...seen].some((s) => s.startsWith(`${id} `) && !s.endsWith(' none')),
+            `Tab does not reach ${id} visibly`,
+        );
 });
 
 if (pictures) writeFileSync(join(pictures, 'desktop.png'), await p.picture(true));

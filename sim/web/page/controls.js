@@ -10,32 +10,78 @@ const GROUPS = [
     ['Picture', ['shade', 'method', 'samples', 'textureFormat', 'filter', 'shadow', 'mirror', 'perPixel', 'fov']],
 ];
 const LABEL = {
-    strip: 'Strip height', buffers: 'Strip buffers', maxTriangles: 'Triangles in memory', maxVertices: 'Vertices in memory',
-    depthMapping: 'Depth mapping', depthBits: 'Bits of a depth key', near: 'Near plane', far: 'Far plane', shade: 'Shading',
-    method: 'Visible surfaces by', samples: 'Samples a pixel', textureFormat: 'Texels', subpixel: 'Sub-pixel bits',
-    fast: 'Accelerators', fov: 'Field of view', cull: 'Sides not drawn', width: 'Width', height: 'Height',
-    spi: 'Clock of the wire, Hz', filter: 'Texture filter', perPixel: 'Light at each pixel', mirror: 'A mirror for a floor',
-    shadow: 'Shadow', lineWidth: 'Width of lines', light: 'Light', alpha: 'Opacity',
+    strip: 'Strip height',
+    buffers: 'Strip buffers',
+    maxTriangles: 'Triangles in memory',
+    maxVertices: 'Vertices in memory',
+    depthMapping: 'Depth mapping',
+    depthBits: 'Bits of a depth key',
+    near: 'Near plane',
+    far: 'Far plane',
+    shade: 'Shading',
+    method: 'Visible surfaces by',
+    samples: 'Samples a pixel',
+    textureFormat: 'Texels',
+    subpixel: 'Sub-pixel bits',
+    fast: 'Accelerators',
+    fov: 'Field of view',
+    cull: 'Sides not drawn',
+    width: 'Width',
+    height: 'Height',
+    spi: 'Clock of the wire, Hz',
+    filter: 'Texture filter',
+    perPixel: 'Light at each pixel',
+    mirror: 'A mirror for a floor',
+    shadow: 'Shadow',
+    lineWidth: 'Width of lines',
+    light: 'Light',
+    alpha: 'Opacity',
 };
 const UNIT = { strip: 'rows', fov: '°', lineWidth: 'px', depthBits: 'bits' };
 const CHOICE = {
-    zbuffer: 'depth buffer', hiz: 'hierarchical depth buffer', painter: 'painter’s algorithm', depthsort: 'depth sort',
-    coverage: 'coverage bits', raycast: 'ray casting', 565: 'RGB565', pal8: '256 colours', pal4: '16 colours',
-    recip: 'recip (1/z)', float: 'float (by far / near)',
+    zbuffer: 'depth buffer',
+    hiz: 'hierarchical depth buffer',
+    painter: 'painter’s algorithm',
+    depthsort: 'depth sort',
+    coverage: 'coverage bits',
+    raycast: 'ray casting',
+    565: 'RGB565',
+    pal8: '256 colours',
+    pal4: '16 colours',
+    recip: 'recip (1/z)',
+    float: 'float (by far / near)',
 };
 /* Where a slider ends, of options whose table has no ends, or ends that nobody means */
-const ENDS = { strip: [1, 120, 1], fov: [5, 120, 1], lineWidth: [1, 16, 1], ambient: [0, 1, 0.05], diffuse: [0, 1, 0.05],
-    alpha: [0, 1, 0.05], depthBits: [8, 16, 1] };
+const ENDS = {
+    strip: [1, 120, 1],
+    fov: [5, 120, 1],
+    lineWidth: [1, 16, 1],
+    ambient: [0, 1, 0.05],
+    diffuse: [0, 1, 0.05],
+    alpha: [0, 1, 0.05],
+    depthBits: [8, 16, 1],
+};
 /* Sliders by powers, whose right end is "as many as it takes" */
 const POWERS = { maxTriangles: [16, 8192], maxVertices: [16, 8192] };
 const STEPS = 100;
 
 /** Options that demo scenes have; the others are for models. */
-export const OF_SCENES = new Set(['strip', 'buffers', 'maxTriangles', 'maxVertices', 'depthMapping', 'depthBits', 'method',
-    'subpixel', 'fast', 'width', 'height']);
+export const OF_SCENES = new Set([
+    'strip',
+    'buffers',
+    'maxTriangles',
+    'maxVertices',
+    'depthMapping',
+    'depthBits',
+    'method',
+    'subpixel',
+    'fast',
+    'width',
+    'height',
+]);
 
-export const labelOf = (name) => LABEL[name] ||
-    name.replace(/([A-Z])/g, (c) => ` ${c.toLowerCase()}`).replace(/^./, (c) => c.toUpperCase());
+export const labelOf = (name) =>
+    LABEL[name] || name.replace(/([A-Z])/g, (c) => ` ${c.toLowerCase()}`).replace(/^./, (c) => c.toUpperCase());
 
 /** What an option is where nothing is set, as its help says at the end of a sentence: "... (16)". */
 export function usualOf(option) {
@@ -51,7 +97,9 @@ const many = (name, step) => {
 };
 const stepOf = (name, value) => {
     const [lo, hi] = POWERS[name];
-    return value === undefined ? STEPS : Math.round((STEPS - 1) * Math.log(Math.max(lo, value) / lo) / Math.log(hi / lo));
+    return value === undefined
+        ? STEPS
+        : Math.round(((STEPS - 1) * Math.log(Math.max(lo, value) / lo)) / Math.log(hi / lo));
 };
 
 export class Controls {
@@ -63,7 +111,8 @@ export class Controls {
 
     /** Make the fields of all options but those in `elsewhere`. */
     build(options, elsewhere) {
-        const at = id('groups'), rest = options.filter((o) => !elsewhere.has(o.name));
+        const at = id('groups'),
+            rest = options.filter((o) => !elsewhere.has(o.name));
         at.textContent = '';
         for (const [title, names] of GROUPS) {
             const these = names.map((n) => rest.find((o) => o.name === n)).filter(Boolean);
@@ -72,32 +121,50 @@ export class Controls {
         }
         const others = rest.filter((o) => !GROUPS.some(([, names]) => names.includes(o.name)));
         if (others.length > 0)
-            at.append(make('details', { className: 'more' }, make('summary', {}, 'More settings'),
-                make('fieldset', {}, ...others.map((o) => this.field(o)))));
+            at.append(
+                make(
+                    'details',
+                    { className: 'more' },
+                    make('summary', {}, 'More settings'),
+                    make('fieldset', {}, ...others.map((o) => this.field(o))),
+                ),
+            );
     }
 
     field(option) {
-        const name = option.name, why = make('span', { className: 'why', id: `why-${name}`, role: 'status' });
+        const name = option.name,
+            why = make('span', { className: 'why', id: `why-${name}`, role: 'status' });
         const shown = make('output', { id: `out-${name}` });
         const said = make('span', {}, labelOf(name), shown);
         const input = this.input(option);
         input.id = `set-${name}`;
         input.setAttribute('aria-describedby', why.id);
-        const row = make('label', { className: option.kind === 'flag' ? 'field check' : 'field', for: input.id, title: option.text },
-            ...(option.kind === 'flag' ? [input, said] : [said, input]));
+        const row = make(
+            'label',
+            { className: option.kind === 'flag' ? 'field check' : 'field', for: input.id, title: option.text },
+            ...(option.kind === 'flag' ? [input, said] : [said, input]),
+        );
         this.fields.set(name, { option, input, shown, why, row });
         this.show(option);
         return make('div', { className: 'setting' }, row, why);
     }
 
     input(option) {
-        const { name, kind } = option, usual = usualOf(option);
+        const { name, kind } = option,
+            usual = usualOf(option);
         let input;
         if (kind === 'choice') {
-            const own = usual === undefined ? [make('option', { value: '', textContent: 'as the model has it' })] : [];
-            input = make('select', {}, ...own, ...option.choices.map((value) =>
-                make('option', { value, textContent: (CHOICE[value] || value) + (value === usual ? ' ·' : '') })));
-            input.addEventListener('change', () => this.change(name, input.value === '' || input.value === usual ? undefined : input.value));
+            const own =
+                usual === undefined ? [make('option', { value: '', textContent: 'as the model has it' })] : [];
+            input = make(
+                'select',
+                {},
+                ...own,
+                ...option.choices.map((value) => make('option', { value, textContent: CHOICE[value] || value })),
+            );
+            input.addEventListener('change', () =>
+                this.change(name, input.value === '' || input.value === usual ? undefined : input.value),
+            );
         } else if (kind === 'flag') {
             input = make('input', { type: 'checkbox' });
             input.addEventListener('change', () => this.change(name, input.checked || undefined));
@@ -112,7 +179,11 @@ export class Controls {
             input = make('input', { type: kind === 'number' ? 'number' : 'text' });
             if (kind === 'number') input.step = option.step || 'any';
             input.placeholder = usual ?? (name === 'near' || name === 'far' ? 'as it fits' : '');
-            const take = () => this.change(name, input.value === '' ? undefined : kind === 'number' ? Number(input.value) : input.value);
+            const take = () =>
+                this.change(
+                    name,
+                    input.value === '' ? undefined : kind === 'number' ? Number(input.value) : input.value,
+                );
             input.addEventListener('change', take);
         }
         return input;
@@ -123,7 +194,8 @@ export class Controls {
         const field = this.fields.get(option.name);
         if (!field) return;
         field.option = option;
-        const { input, shown } = field, value = option.value ?? usualOf(option);
+        const { input, shown } = field,
+            value = option.value ?? usualOf(option);
         if (option.kind === 'flag') input.checked = !!option.value;
         else if (POWERS[option.name]) {
             input.value = stepOf(option.name, option.value);
@@ -132,7 +204,7 @@ export class Controls {
             input.value = value;
             shown.textContent = `${Number(input.value) === value ? value : value} ${UNIT[option.name] ?? ''}`.trim();
         } else if (document.activeElement !== input || input.tagName === 'SELECT') {
-            input.value = option.kind === 'choice' ? value ?? '' : option.value ?? '';
+            input.value = option.kind === 'choice' ? (value ?? '') : (option.value ?? '');
         }
     }
 

@@ -19,8 +19,14 @@ export function make(tag, properties = {}, ...children) {
 export const count = (n) => Math.round(n).toLocaleString('en-US');
 
 /** Bytes, as a person says them. */
-export const bytes = (n) => (n >= 1024 * 1024 ? `${(n / 1048576).toFixed(n >= 10485760 ? 0 : 1)} MB`
-    : n >= 10240 ? `${Math.round(n / 1024)} KB` : n >= 1024 ? `${(n / 1024).toFixed(1)} KB` : `${Math.round(n)} B`);
+export const bytes = (n) =>
+    n >= 1024 * 1024
+        ? `${(n / 1048576).toFixed(n >= 10485760 ? 0 : 1)} MB`
+        : n >= 10240
+          ? `${Math.round(n / 1024)} KB`
+          : n >= 1024
+            ? `${(n / 1024).toFixed(1)} KB`
+            : `${Math.round(n)} B`;
 
 /** Call `what` once, `ms` after the last time that this was called. */
 export function later(ms, what) {

@@ -24,14 +24,17 @@ function plot(width, height, label, draw) {
 
 /* ---- Methods ---- */
 
-const CELL = 22, GAP = 24;
+const CELL = 22,
+    GAP = 24;
 
 function drawState(c, s) {
     c.font = `500 10px ${css('--mono')}`;
     c.textAlign = 'center';
     c.textBaseline = 'middle';
     for (let i = 0; i < N * N; i++) {
-        const x = 8 + (i % N) * CELL, y = 8 + Math.floor(i / N) * CELL, right = x + N * CELL + GAP;
+        const x = 8 + (i % N) * CELL,
+            y = 8 + Math.floor(i / N) * CELL,
+            right = x + N * CELL + GAP;
         c.fillStyle = s.color[i] ? css(s.color[i].tint) : css('--paper');
         c.fillRect(x, y, CELL - 1, CELL - 1);
         if (s.wrong && s.wrong.has(i)) {
@@ -61,19 +64,30 @@ function drawState(c, s) {
         c.strokeStyle = css('--gold');
         c.lineWidth = 2;
         for (let t = 0; t < 4; t++)
-            c.strokeRect(8 + N * CELL + GAP + (t % 2) * 4 * CELL - 0.5, 8 + Math.floor(t / 2) * 4 * CELL - 0.5, 4 * CELL, 4 * CELL);
+            c.strokeRect(
+                8 + N * CELL + GAP + (t % 2) * 4 * CELL - 0.5,
+                8 + Math.floor(t / 2) * 4 * CELL - 0.5,
+                4 * CELL,
+                4 * CELL,
+            );
     }
     if (!s.depth && !s.bits) {
         c.fillStyle = css('--soft');
         c.font = `13px ${css('--mono')}`;
-        c.fillText('no depth memory', 8 + N * CELL * 1.5 + GAP, 8 + N * CELL / 2);
+        c.fillText('no depth memory', 8 + N * CELL * 1.5 + GAP, 8 + (N * CELL) / 2);
     }
 }
 
 function methodCard(title, about, method) {
-    let order = [...(method.bars || BARS)], run = method(order), state, timer = 0;
-    const width = 16 + 2 * N * CELL + GAP, height = 16 + N * CELL;
-    const { canvas, again } = plot(width, height, `${title}: the picture, and what is in memory`, (c) => drawState(c, state));
+    let order = [...(method.bars || BARS)],
+        run = method(order),
+        state,
+        timer = 0;
+    const width = 16 + 2 * N * CELL + GAP,
+        height = 16 + N * CELL;
+    const { canvas, again } = plot(width, height, `${title}: the picture, and what is in memory`, (c) =>
+        drawState(c, state),
+    );
     const say = make('p', { className: 'say', role: 'status' });
     const show = () => {
         say.textContent = state.say;
@@ -123,78 +137,112 @@ function methodCard(title, about, method) {
     });
     for (const last of run) state = last; // shown done at first
     show();
-    return make('article', { className: 'card' }, make('h3', {}, title), make('p', {}, about), canvas, say,
-        make('div', { className: 'row' }, play, next, other));
+    return make(
+        'article',
+        { className: 'card' },
+        make('h3', {}, title),
+        make('p', {}, about),
+        canvas,
+        say,
+        make('div', { className: 'row' }, play, next, other),
+    );
 }
 
 /* ---- Depth mappings ---- */
 
 const MAPPINGS = [
-    ['recip', '--c5', (z, n, f, keys) => (keys - 1) * (1 / n - 1 / z) / (1 / n - 1 / f)],
-    ['linear', '--c2', (z, n, f, keys) => (keys - 1) * (z - n) / (f - n)],
+    ['recip', '--c5', (z, n, f, keys) => ((keys - 1) * (1 / n - 1 / z)) / (1 / n - 1 / f)],
+    ['linear', '--c2', (z, n, f, keys) => ((keys - 1) * (z - n)) / (f - n)],
     ['float', '--c0', (z, n, f, keys) => floatKey(z, n, f, keys)],
 ];
 
 /* near / z as an unsigned float of e exponent bits, as zstrip's mapping float takes it for that far / near. */
 function floatKey(z, n, f, keys) {
-    const e = f <= 128 * n ? 3 : f <= 32768 * n ? 4 : 5, m = Math.log2(keys) - e, r = n / z;
-    const k = Math.min(2 ** e - 2, Math.floor(-Math.log2(r) + 1e-12)), octave = 2 ** e - 1 - k;
+    const e = f <= 128 * n ? 3 : f <= 32768 * n ? 4 : 5,
+        m = Math.log2(keys) - e,
+        r = n / z;
+    const k = Math.min(2 ** e - 2, Math.floor(-Math.log2(r) + 1e-12)),
+        octave = 2 ** e - 1 - k;
     return keys - ((octave - 1) * 2 ** m + r * 2 ** (k + 1 + m));
 }
 
 /* How far apart two surfaces at z must be for two different keys. */
 const apart = (key, z, n, f, keys) => {
     const h = z * 1e-6;
-    return 2 * h / Math.max(1e-30, key(z + h, n, f, keys) - key(z - h, n, f, keys));
+    return (2 * h) / Math.max(1e-30, key(z + h, n, f, keys) - key(z - h, n, f, keys));
 };
-const length = (m) => (m >= 1000 ? `${(m / 1000).toPrecision(3)} km` : m >= 1 ? `${m.toPrecision(3)} m`
-    : m >= 0.01 ? `${(100 * m).toPrecision(2)} cm` : `${(1000 * m).toPrecision(2)} mm`);
+const length = (m) =>
+    m >= 1000
+        ? `${(m / 1000).toPrecision(3)} km`
+        : m >= 1
+          ? `${m.toPrecision(3)} m`
+          : m >= 0.01
+            ? `${(100 * m).toPrecision(2)} cm`
+            : `${(1000 * m).toPrecision(2)} mm`;
 
 function mappingCard() {
     const set = { near: 1, far: 1000, bits: 16, at: 300 };
     const say = make('p', { className: 'say', role: 'status' });
     const box = { left: 14, top: 12, right: 386, bottom: 186 };
-    const xOf = (z) => box.left + (box.right - box.left) * Math.log(z / 0.05) / Math.log(4000 / 0.05);
+    const xOf = (z) => box.left + ((box.right - box.left) * Math.log(z / 0.05)) / Math.log(4000 / 0.05);
     const zOf = (x) => 0.05 * (4000 / 0.05) ** ((x - box.left) / (box.right - box.left));
-    const { canvas, again } = plot(400, 216, 'How keys are spent between near and far, a curve for each mapping', (c) => {
-        const keys = 2 ** set.bits;
-        c.fillStyle = css('--paper');
-        c.fillRect(xOf(set.near), box.top, xOf(set.far) - xOf(set.near), box.bottom - box.top);
-        c.lineWidth = 2.5;
-        for (const [, tint, key] of MAPPINGS) {
-            c.strokeStyle = css(tint);
-            c.beginPath();
-            for (let x = xOf(set.near); x <= xOf(set.far); x += 1)
-                c.lineTo(x, box.bottom - (box.bottom - box.top) * Math.min(1, key(Math.min(set.far, zOf(x)), set.near, set.far, keys) / keys));
-            c.stroke();
-        }
-        c.font = `12px ${css('--mono')}`;
-        c.textAlign = 'center';
-        for (const [name, tint] of [['near', '--ink'], ['far', '--ink'], ['at', '--gold']]) {
-            const x = xOf(set[name]);
-            c.strokeStyle = c.fillStyle = css(tint);
-            c.lineWidth = 2;
-            c.beginPath();
-            c.moveTo(x, box.top);
-            c.lineTo(x, box.bottom);
-            c.stroke();
-            c.beginPath();
-            c.arc(x, box.bottom, 6, 0, 7);
-            c.fill();
-            c.fillText(name === 'at' ? length(set.at) : name, Math.min(372, Math.max(28, x)), box.bottom + 20);
-        }
-    });
+    const { canvas, again } = plot(
+        400,
+        216,
+        'How keys are spent between near and far, a curve for each mapping',
+        (c) => {
+            const keys = 2 ** set.bits;
+            c.fillStyle = css('--paper');
+            c.fillRect(xOf(set.near), box.top, xOf(set.far) - xOf(set.near), box.bottom - box.top);
+            c.lineWidth = 2.5;
+            for (const [, tint, key] of MAPPINGS) {
+                c.strokeStyle = css(tint);
+                c.beginPath();
+                for (let x = xOf(set.near); x <= xOf(set.far); x += 1)
+                    c.lineTo(
+                        x,
+                        box.bottom -
+                            (box.bottom - box.top) *
+                                Math.min(1, key(Math.min(set.far, zOf(x)), set.near, set.far, keys) / keys),
+                    );
+                c.stroke();
+            }
+            c.font = `12px ${css('--mono')}`;
+            c.textAlign = 'center';
+            for (const [name, tint] of [
+                ['near', '--ink'],
+                ['far', '--ink'],
+                ['at', '--gold'],
+            ]) {
+                const x = xOf(set[name]);
+                c.strokeStyle = c.fillStyle = css(tint);
+                c.lineWidth = 2;
+                c.beginPath();
+                c.moveTo(x, box.top);
+                c.lineTo(x, box.bottom);
+                c.stroke();
+                c.beginPath();
+                c.arc(x, box.bottom, 6, 0, 7);
+                c.fill();
+                c.fillText(name === 'at' ? length(set.at) : name, Math.min(372, Math.max(28, x)), box.bottom + 20);
+            }
+        },
+    );
     const fields = [];
     const update = () => {
         set.far = Math.max(set.far, set.near * 1.5);
         set.at = Math.min(set.far, Math.max(set.near, set.at));
-        const gaps = MAPPINGS.map(([name, , key]) => `${name} ${length(apart(key, set.at, set.near, set.far, 2 ** set.bits))}`);
-        say.textContent = `At ${length(set.at)}, two surfaces get different keys if they are so far apart: ${gaps.join(', ')}.`;
+        const gaps = MAPPINGS.map(
+            ([name, , key]) => `${name} ${length(apart(key, set.at, set.near, set.far, 2 ** set.bits))}`,
+        );
+        say.textContent = 
+            `At ${length(set.at)}, two surfaces get different keys if they are so far apart: ` + `${gaps.join(', ')}.`;
         for (const f of fields) f();
         again();
     };
     const slider = (title, name, min, max, step, show, to = (v) => v, from = (v) => v) => {
-        const input = make('input', { type: 'range', min, max, step }), out = make('b');
+        const input = make('input', { type: 'range', min, max, step }),
+            out = make('b');
         input.addEventListener('input', () => {
             set[name] = to(Number(input.value));
             update();
@@ -206,11 +254,16 @@ function mappingCard() {
         return make('label', { className: 'field' }, make('span', {}, title, out), input);
     };
     const power = [(v) => 10 ** v, Math.log10];
-    const row = make('div', { className: 'row' },
-        slider('Near', 'near', -1.3, 2, 0.01, length, ...power), slider('Far', 'far', 0.3, 3.6, 0.01, length, ...power),
-        slider('Bits', 'bits', 8, 16, 1, String));
+    const row = make(
+        'div',
+        { className: 'row' },
+        slider('Near', 'near', -1.3, 2, 0.01, length, ...power),
+        slider('Far', 'far', 0.3, 3.6, 0.01, length, ...power),
+        slider('Bits', 'bits', 8, 16, 1, String),
+    );
     let held = null;
-    const placeOf = (e) => (e.clientX - canvas.getBoundingClientRect().left) * 400 / canvas.getBoundingClientRect().width;
+    const placeOf = (e) =>
+        ((e.clientX - canvas.getBoundingClientRect().left) * 400) / canvas.getBoundingClientRect().width;
     canvas.style.touchAction = 'pan-y';
     canvas.addEventListener('pointerdown', (e) => {
         const x = placeOf(e);
@@ -223,23 +276,69 @@ function mappingCard() {
         set[held] = held === 'near' ? Math.min(z, set.far / 1.5) : held === 'far' ? Math.max(z, set.near * 1.5) : z;
         update();
     });
-    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => { held = null; });
+    for (const end of ['pointerup', 'pointercancel'])
+        canvas.addEventListener(end, () => {
+            held = null;
+        });
     update();
-    return make('article', { className: 'card double' }, make('h3', {}, 'What a depth key is worth'),
-        make('p', {}, 'Keys are few: 65,536 of 16 bits. A mapping says how they are spent from near to far. Drag near, far, and the distance that you ask about.'),
-        canvas, make('p', { className: 'legend' }, ...MAPPINGS.map(([name, tint]) => make('span', { style: `--k:var(${tint})` }, name))), say, row);
+    return make(
+        'article',
+        { className: 'card double' },
+        make('h3', {}, 'What a depth key is worth'),
+        make(
+            'p',
+            {},
+            'Keys are few: 65,536 of 16 bits. A mapping says how they are spent from near to far. ' +
+                'Drag near, far, and the distance that you ask about.',
+        ),
+        canvas,
+        make(
+            'p',
+            { className: 'legend' },
+            ...MAPPINGS.map(([name, tint]) => make('span', { style: `--k:var(${tint})` }, name)),
+        ),
+        say,
+        row,
+    );
 }
 
 /** Make all cards. */
 export function buildCards(at) {
     at.append(
-        methodCard('Depth buffer', 'Each pixel keeps the key of what is nearest so far. What is farther is left out. Two bytes a pixel, but only for one strip.', zbuffer),
+        methodCard(
+            'Depth buffer',
+            'Each pixel keeps the key of what is nearest so far. What is farther is left out. ' +
+                'Two bytes a pixel, but only for one strip.',
+            zbuffer,
+        ),
         mappingCard(),
-        methodCard('Painter’s algorithm', 'Paint from far to near: no depth memory. It fails where things overlap in a cycle, as these do.', painter),
-        methodCard('Depth sort', 'Painter’s algorithm that cuts a surface where no order is right. No depth memory, right pixels, more work.', depthsort),
-        methodCard('Coverage', 'From near to far, with one bit a pixel: each pixel is coloured once, which pays for dear shaders.', coverage),
-        methodCard('Hierarchical depth buffer', 'Each tile knows its farthest key. What lies behind it is left out without a look at its pixels.', hiz),
-        methodCard('Ray casting', 'For each pixel the nearest surface, in place of, for each surface, its pixels.', raycast));
+        methodCard(
+            'Painter’s algorithm',
+            'Paint from far to near: no depth memory. It fails where things overlap in a cycle, as these do.',
+            painter,
+        ),
+        methodCard(
+            'Depth sort',
+            'Painter’s algorithm that cuts a surface where no order is right. ' +
+                'No depth memory, right pixels, more work.',
+            depthsort,
+        ),
+        methodCard(
+            'Coverage',
+            'From near to far, with one bit a pixel: each pixel is coloured once, which pays for dear shaders.',
+            coverage,
+        ),
+        methodCard(
+            'Hierarchical depth buffer',
+            'Each tile knows its farthest key. What lies behind it is left out without a look at its pixels.',
+            hiz,
+        ),
+        methodCard(
+            'Ray casting',
+            'For each pixel the nearest surface, in place of, for each surface, its pixels.',
+            raycast,
+        ),
+    );
     addEventListener('zstrip-theme', redrawAll);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redrawAll);
 }

@@ -14,17 +14,61 @@ import { HOME, Stage } from './stage.js';
 import { wasmBytes } from './wasm.js';
 
 /* Options that have a place of their own on the page, or are none for a page */
-const PLACED = new Set(['width', 'height', 'falseColors', 'panel', 'turntable', 'explain', 'reference', 'compare',
-    'precise', 'mesh', 'threads', 'eye', 'at', 'up', 'invert', 'bgr', 'wrap', 'loadMemory', 'loadSeconds',
-    'allowOutside', 'color', 'light', 'help', 'simplify', 'wrongPixels']);
-const VIEWS = { frame: 'Picture', overdraw: 'Overdraw', depth: 'Depth', wrong: 'Wrong pixels', complexity: 'Layers',
-    tested: 'Compared', strips: 'Set-ups' };
+const PLACED = new Set([
+    'width',
+    'height',
+    'falseColors',
+    'panel',
+    'turntable',
+    'explain',
+    'reference',
+    'compare',
+    'precise',
+    'mesh',
+    'threads',
+    'eye',
+    'at',
+    'up',
+    'invert',
+    'bgr',
+    'wrap',
+    'loadMemory',
+    'loadSeconds',
+    'allowOutside',
+    'color',
+    'light',
+    'help',
+    'simplify',
+    'wrongPixels',
+]);
+const VIEWS = {
+    frame: 'Picture',
+    overdraw: 'Overdraw',
+    depth: 'Depth',
+    wrong: 'Wrong pixels',
+    complexity: 'Layers',
+    tested: 'Compared',
+    strips: 'Set-ups',
+};
 const RADIANS = Math.PI / 180;
 
 const app = {
-    engine: null, controls: null, stage: null, options: new Map(),
-    scene: '', model: null, part: '', panel: PANELS[0], shown: 'frame', scale: 0, time: 0, turning: false,
-    moving: false, dirty: false, lastFrame: null, parts: [],
+    engine: null,
+    controls: null,
+    stage: null,
+    options: new Map(),
+    scene: '',
+    model: null,
+    part: '',
+    panel: PANELS[0],
+    shown: 'frame',
+    scale: 0,
+    time: 0,
+    turning: false,
+    moving: false,
+    dirty: false,
+    lastFrame: null,
+    parts: [],
 };
 
 /* ---- What is said ---- */
@@ -67,7 +111,9 @@ function frame(now) {
 
 /* Draw a frame; 1: there is a new picture. */
 function draw() {
-    const { engine, stage } = app, v = stage.view, begun = performance.now();
+    const { engine, stage } = app,
+        v = stage.view,
+        begun = performance.now();
     engine.orbit((v.yaw - HOME.yaw) * RADIANS, (v.pitch - HOME.pitch) * RADIANS, v.distance);
     engine.setTime(app.time);
     const got = engine.render();
@@ -85,7 +131,8 @@ function draw() {
 
 /* The last frame, or its false colours, onto the glass. */
 function paint() {
-    const { engine, stage } = app, size = engine.pictureSize();
+    const { engine, stage } = app,
+        size = engine.pictureSize();
     stage.resize(size.width, size.height);
     engine.rgba(stage.image.data);
     stage.show();
@@ -93,7 +140,8 @@ function paint() {
         document.documentElement.dataset.firstPicture = performance.now().toFixed(0);
 }
 
-let mean = 0, told = 0;
+let mean = 0,
+    told = 0;
 function tempo(ms) {
     mean = mean ? mean + 0.1 * (ms - mean) : ms;
     if (performance.now() - told < 250) return;
@@ -109,14 +157,18 @@ const call = (name, other) => (app.engine[name] ? app.engine[name]() : other);
 function figures() {
     const got = app.lastFrame;
     if (!got) return;
-    const parts = call('parts', []), ram = call('ram', []);
+    const parts = call('parts', []),
+        ram = call('ram', []);
     app.parts = parts;
     const pools = Array.isArray(ram) ? ram : ram.pools;
     const total = Array.isArray(ram) ? ram.reduce((s, p) => s + p.bytes, 0) : ram.total;
     if (parts.length > 0) {
         if (!parts.some((p) => p.name === app.part)) app.part = parts[0].name;
         fillParts(parts);
-        showPart(parts.find((p) => p.name === app.part), { pools: pools.filter((p) => p.bytes > 0), total });
+        showPart(
+            parts.find((p) => p.name === app.part),
+            { pools: pools.filter((p) => p.bytes > 0), total },
+        );
         showParts(parts, app.part, choosePart);
     }
     showStats(got.stats, got.passes);
@@ -136,7 +188,11 @@ function settleSometimes(now) {
 function fillParts(parts) {
     const select = id('part');
     if (select.options.length !== parts.length)
-        select.replaceChildren(...parts.map((p) => make('option', { value: p.name, textContent: p.title || p.name })));
+        select.replaceChildren(
+            ...parts.map((p) =>
+                make('option', { value: p.name, textContent: p.text ? `${p.name}: ${p.text}` : p.name }),
+            ),
+        );
     select.value = app.part;
 }
 
@@ -192,7 +248,8 @@ function showPanel() {
 
 /* False colours do not go through a panel's driver: they are drawn at its size. */
 function chooseView(name) {
-    const p = app.panel, plain = name === 'frame';
+    const p = app.panel,
+        plain = name === 'frame';
     const panel = plain && p.name ? p.name : undefined;
     if (!configure({ panel, width: p.width, height: p.height, falseColors: plain ? undefined : name })) return;
     app.shown = name;
@@ -206,6 +263,7 @@ function chooseScene(name) {
         say(answer.error);
         return;
     }
+    mean = 0;
     app.scene = name;
     app.model = null;
     app.time = 0;
@@ -226,17 +284,23 @@ function markScene() {
 async function takeFiles(files) {
     if (files.length === 0) return;
     try {
-        const model = await readModel(files), answer = app.engine.setModel(model);
+        const model = await readModel(files),
+            answer = app.engine.setModel(model);
         if (!answer.ok) throw new Error(answer.error);
+        mean = 0;
         app.model = model;
         app.scene = '';
         app.modelError = undefined;
         app.controls.refuse('', '');
         say('');
-        id('losses').textContent = [`${model.name}: ${(model.indices.length / 3).toLocaleString('en-US')} triangles`,
-            ...model.losses, ...(answer.losses || [])].join('\n');
+        id('losses').textContent = [
+            `${model.name}: ${(model.indices.length / 3).toLocaleString('en-US')} triangles`,
+            ...model.losses,
+            ...(answer.losses || []),
+        ].join('\n');
         markScene();
         app.stage.goHome();
+        draw();
     } catch (e) {
         app.modelError = e.message;
         say(e.message);
@@ -250,15 +314,18 @@ const quoted = (word) => (/^[\w.,:=+/@-]+$/.test(word) ? word : `'${word.replace
 
 function command() {
     const words = app.engine.commandLine ? app.engine.commandLine() : [];
-    const bare = words.map((w) => quoted(w.replace('=', ' ')).replace(/^'(--[\w-]+) /, "$1 '").replace(/'(--[\w-]+) ([\w.,:+/@-]+)'/, '$1 $2'));
-    const v = app.stage.view, turned = v.yaw !== HOME.yaw || v.pitch !== HOME.pitch || v.distance !== 1;
+    const bare = words.map((w) => w.replace(/^(--[\w-]+)=(.*)$/s, (_, name, value) => `${name} ${quoted(value)}`));
+    const v = app.stage.view,
+        turned = v.yaw !== HOME.yaw || v.pitch !== HOME.pitch || v.distance !== 1;
     id('command').textContent = app.model
-        ? `build/zsim render ${quoted(app.model.name)} ${bare.join(' ')} --out frame.png${turned ? '   # from its own camera' : ''}`
+        ? `build/zsim render ${quoted(app.model.name)} ${bare.join(' ')} --out frame.png` +
+          (turned ? '   # from its own camera' : '')
         : `build/zsim demo --scene ${app.scene} --frames ${app.time + 1} --out .`;
 }
 
 function keepLink() {
-    const v = app.stage.view, values = {};
+    const v = app.stage.view,
+        values = {};
     if (app.scene) values.scene = app.scene;
     values.part = app.part;
     values.panel = app.panel.name || `${app.panel.width}x${app.panel.height}`;
@@ -276,14 +343,17 @@ function takeLink(link) {
     const typed = {};
     for (const [name, o] of app.options) {
         if (link[name] === undefined || PLACED.has(name)) continue;
-        typed[name] = o.kind === 'number' ? Number(link[name]) : o.kind === 'flag' ? link[name] === 'true' : link[name];
+        typed[name] =
+            o.kind === 'number' ? Number(link[name]) : o.kind === 'flag' ? link[name] === 'true' : link[name];
     }
     app.part = link.part || 'rp2040';
     const size = /^(\d+)x(\d+)$/.exec(link.panel || '');
-    app.panel = size ? { ...PANELS[PANELS.length - 1], width: Number(size[1]), height: Number(size[2]) }
+    app.panel = size
+        ? { ...PANELS[PANELS.length - 1], width: Number(size[1]), height: Number(size[2]) }
         : PANELS.find((p) => p.name === link.panel) || PANELS[0];
     const at = (link.at || '').split(',').map(Number);
-    if (at.length === 3 && at.every(Number.isFinite)) Object.assign(app.stage.view, { yaw: at[0], pitch: at[1], distance: at[2] });
+    if (at.length === 3 && at.every(Number.isFinite))
+        Object.assign(app.stage.view, { yaw: at[0], pitch: at[1], distance: at[2] });
     app.time = Number(link.frame) > 0 ? Number(link.frame) : 0;
     return typed;
 }
@@ -300,26 +370,34 @@ function buildPage(scenes) {
     id('panel').append(...PANELS.map((p) => make('option', { value: p.name, textContent: `${p.title}: ${p.text}` })));
     id('panel').addEventListener('change', () => choosePanel(id('panel').value));
     id('part').addEventListener('change', () => choosePart(id('part').value));
-    id('scale').append(make('option', { value: 0, textContent: 'as far as it fits' }),
-        ...[1, 2, 3, 4, 5, 6, 8].map((n) => make('option', { value: n, textContent: `${n} times` })));
+    id('scale').append(
+        make('option', { value: 0, textContent: 'as far as it fits' }),
+        ...[1, 2, 3, 4, 5, 6, 8].map((n) => make('option', { value: n, textContent: `${n} times` })),
+    );
     id('scale').addEventListener('change', () => {
         app.stage.wanted = Number(id('scale').value);
         app.stage.fit();
     });
-    id('scenes').append(...scenes.map((s) => {
-        const b = make('button', { type: 'button', title: s.text || '' }, s.name);
-        b.dataset.scene = s.name;
-        b.addEventListener('click', () => chooseScene(s.name));
-        return b;
-    }));
+    id('scenes').append(
+        ...scenes.map((s) => {
+            const b = make('button', { type: 'button', title: s.text || '' }, s.name);
+            b.dataset.scene = s.name;
+            b.addEventListener('click', () => chooseScene(s.name));
+            return b;
+        }),
+    );
     const shown = app.options.get('falseColors');
-    const choices = [...(shown ? shown.choices : ['frame'])].sort((a, b) => Object.keys(VIEWS).indexOf(a) - Object.keys(VIEWS).indexOf(b));
-    id('views').append(...choices.map((name) => {
-        const b = make('button', { type: 'button' }, VIEWS[name] || name);
-        b.dataset.view = name;
-        b.addEventListener('click', () => chooseView(name));
-        return b;
-    }));
+    const choices = [...(shown ? shown.choices : ['frame'])].sort(
+        (a, b) => Object.keys(VIEWS).indexOf(a) - Object.keys(VIEWS).indexOf(b),
+    );
+    id('views').append(
+        ...choices.map((name) => {
+            const b = make('button', { type: 'button' }, VIEWS[name] || name);
+            b.dataset.view = name;
+            b.addEventListener('click', () => chooseView(name));
+            return b;
+        }),
+    );
     for (const name of ['width', 'height']) {
         const field = app.controls.field(app.options.get(name));
         app.controls.fields.get(name).input.value = app.panel[name];
@@ -349,7 +427,8 @@ function listen() {
     });
     id('controls').addEventListener('submit', (e) => e.preventDefault());
     id('theme').addEventListener('click', () => {
-        const root = document.documentElement, dark = matchMedia('(prefers-color-scheme: dark)').matches;
+        const root = document.documentElement,
+            dark = matchMedia('(prefers-color-scheme: dark)').matches;
         root.dataset.theme = (root.dataset.theme || (dark ? 'dark' : 'light')) === 'dark' ? 'light' : 'dark';
         try {
             localStorage.setItem('zstrip-theme', root.dataset.theme);
@@ -358,21 +437,36 @@ function listen() {
         }
         dispatchEvent(new Event('zstrip-theme'));
     });
-    const copy = (text, what) => navigator.clipboard.writeText(text).then(() => toast(`${what} is copied`), () => toast(text));
+    const copy = (text, what) =>
+        navigator.clipboard.writeText(text).then(
+            () => toast(`${what} is copied`),
+            () => toast(text),
+        );
     id('share').addEventListener('click', () => {
         keepLink();
         copy(location.href, app.model ? 'The link, without the model,' : 'The link');
     });
     id('copy-command').addEventListener('click', () => copy(id('command').textContent, 'The command'));
-    for (const [button, end] of [['get-c', '.c'], ['get-h', '.h']])
+    for (const [button, end] of [
+        ['get-c', '.c'],
+        ['get-h', '.h'],
+    ])
         id(button).addEventListener('click', () => {
-            const files = app.engine.files('thing'), name = Object.keys(files).find((n) => n.endsWith(end));
+            const files = app.engine.files('thing'),
+                name = Object.keys(files).find((n) => n.endsWith(end));
             if (name) download(name, files[name]);
         });
     let depth = 0;
     const veil = (on) => (id('veil').hidden = !on);
-    addEventListener('dragenter', (e) => { e.preventDefault(); depth++; veil(true); });
-    addEventListener('dragleave', () => { depth--; if (depth <= 0) veil(false); });
+    addEventListener('dragenter', (e) => {
+        e.preventDefault();
+        depth++;
+        veil(true);
+    });
+    addEventListener('dragleave', () => {
+        depth--;
+        if (depth <= 0) veil(false);
+    });
     addEventListener('dragover', (e) => e.preventDefault());
     addEventListener('drop', (e) => {
         e.preventDefault();
@@ -396,16 +490,21 @@ async function start() {
     });
     app.stage = new Stage(want);
     for (const o of app.engine.options()) app.options.set(o.name, o);
-    const link = readLink(), typed = takeLink(link);
+    const link = readLink(),
+        typed = takeLink(link);
     app.engineScenes = app.engine.scenes().filter((s) => !s.bench);
-    const first = app.engineScenes.find((s) => s.name === link.scene) || app.engineScenes.find((s) => s.name === 'teapot') || app.engineScenes[0];
+    const first =
+        app.engineScenes.find((s) => s.name === link.scene) ||
+        app.engineScenes.find((s) => s.name === 'teapot') ||
+        app.engineScenes[0];
     app.engine.setScene(first.name);
     app.scene = first.name;
     app.controls.build([...app.options.values()], PLACED);
     buildPage(app.engineScenes);
     const shown = link.view;
     showPanel();
-    if (Object.keys(typed).length > 0 && !configure(typed)) for (const [name, value] of Object.entries(typed)) configure({ [name]: value }, name);
+    if (Object.keys(typed).length > 0 && !configure(typed))
+        for (const [name, value] of Object.entries(typed)) configure({ [name]: value }, name);
     if (shown && shown !== 'frame') chooseView(shown);
     markScene();
     listen();

@@ -9,20 +9,29 @@ const MODEL = /\.(obj|stl|ply|gltf|glb)$/i;
 const baseName = (path) => path.split(/[\\/]/).pop();
 
 async function decodePicture(bytes) {
-    const image = await createImageBitmap(new Blob([bytes]), { premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
+    const image = await createImageBitmap(new Blob([bytes]), {
+        premultiplyAlpha: 'none',
+        colorSpaceConversion: 'none',
+    });
     const canvas = new OffscreenCanvas(image.width, image.height);
     const context = canvas.getContext('2d', { willReadFrequently: true });
     context.drawImage(image, 0, 0);
-    return { width: image.width, height: image.height, rgba: context.getImageData(0, 0, image.width, image.height).data };
+    return {
+        width: image.width,
+        height: image.height,
+        rgba: context.getImageData(0, 0, image.width, image.height).data,
+    };
 }
 
 /* Textures are names of files, data URIs or bytes; what cannot be loaded is said, and its faces are drawn plain. */
 async function loadTextures(model, given) {
-    const numbers = [], textures = [];
+    const numbers = [],
+        textures = [];
     for (const texture of model.textures) {
         let bytes = texture;
         if (typeof texture === 'string')
-            bytes = texture.startsWith('data:') ? Uint8Array.from(atob(texture.slice(texture.indexOf(',') + 1)), (c) => c.charCodeAt(0))
+            bytes = texture.startsWith('data:')
+                ? Uint8Array.from(atob(texture.slice(texture.indexOf(',') + 1)), (c) => c.charCodeAt(0))
                 : given.get(baseName(decodeURIComponent(texture)).toLowerCase()) || null;
         try {
             if (!bytes) throw new Error('missing');
@@ -30,8 +39,11 @@ async function loadTextures(model, given) {
             numbers.push(textures.length - 1);
         } catch (e) {
             const what = typeof texture === 'string' && !texture.startsWith('data:') ? texture : 'a texture';
-            model.losses.push(bytes ? `${what} is no picture that this browser reads: its faces are plain`
-                : `${what} was not given: drop it with the model`);
+            model.losses.push(
+                bytes
+                    ? `${what} is no picture that this browser reads: its faces are plain`
+                    : `${what} was not given: drop it with the model`,
+            );
             numbers.push(-1);
         }
     }
@@ -57,8 +69,13 @@ export async function readModel(files) {
     const other = (path) => given.get(baseName(path).toLowerCase()) || null;
     const text = (b) => new TextDecoder().decode(b);
     const kind = MODEL.exec(file.name)[1].toLowerCase();
-    const model = kind === 'obj' ? readObj(file.name, text(bytes), (path) => (other(path) ? text(other(path)) : null))
-        : kind === 'stl' ? readStl(file.name, bytes)
-            : kind === 'ply' ? readPly(file.name, bytes) : readGltf(file.name, bytes, other);
+    const model =
+        kind === 'obj'
+            ? readObj(file.name, text(bytes), (path) => (other(path) ? text(other(path)) : null))
+            : kind === 'stl'
+              ? readStl(file.name, bytes)
+              : kind === 'ply'
+                ? readPly(file.name, bytes)
+                : readGltf(file.name, bytes, other);
     return loadTextures(model, given);
 }

@@ -6,12 +6,17 @@ import { BadModel, Corners } from './read_text.js';
 
 const SIZE = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
 const VALUE = {
-    5120: ['getInt8', 1, 127], 5121: ['getUint8', 1, 255], 5122: ['getInt16', 2, 32767],
-    5123: ['getUint16', 2, 65535], 5125: ['getUint32', 4, 1], 5126: ['getFloat32', 4, 1],
+    5120: ['getInt8', 1, 127],
+    5121: ['getUint8', 1, 255],
+    5122: ['getInt16', 2, 32767],
+    5123: ['getUint16', 2, 65535],
+    5125: ['getUint32', 4, 1],
+    5126: ['getFloat32', 4, 1],
 };
 
 function dataUri(uri) {
-    const comma = uri.indexOf(','), body = decodeURIComponent(uri.slice(comma + 1));
+    const comma = uri.indexOf(','),
+        body = decodeURIComponent(uri.slice(comma + 1));
     return Uint8Array.from(/;base64$/.test(uri.slice(0, comma)) ? atob(body) : body, (c) => c.charCodeAt(0));
 }
 
@@ -25,23 +30,36 @@ function splitGlb(name, bytes) {
     return { json, bin: at + 8 <= bytes.length ? bytes.subarray(at + 8, at + 8 + view.getUint32(at, true)) : null };
 }
 
-/* A matrix, column by column, of a node. */
+/* A matrix, column by column, of a node: in single precision, as assimp has it, so that zsim's vertices come out. */
 function matrixOf(node) {
-    if (node.matrix) return node.matrix;
-    const [x, y, z, w] = node.rotation || [0, 0, 0, 1], s = node.scale || [1, 1, 1], t = node.translation || [0, 0, 0];
-    return [
-        (1 - 2 * (y * y + z * z)) * s[0], 2 * (x * y + z * w) * s[0], 2 * (x * z - y * w) * s[0], 0,
-        2 * (x * y - z * w) * s[1], (1 - 2 * (x * x + z * z)) * s[1], 2 * (y * z + x * w) * s[1], 0,
-        2 * (x * z + y * w) * s[2], 2 * (y * z - x * w) * s[2], (1 - 2 * (x * x + y * y)) * s[2], 0,
-        t[0], t[1], t[2], 1,
+    const f = Math.fround;
+    if (node.matrix) return node.matrix.map(f);
+    const [x, y, z, w] = (node.rotation || [0, 0, 0, 1]).map(f),
+        s = (node.scale || [1, 1, 1]).map(f);
+    const t = (node.translation || [0, 0, 0]).map(f);
+    const one = (a, b) => f(1 - f(2 * f(f(a * a) + f(b * b))));
+    const sum = (a, b, c, d, sign) => f(2 * f(f(a * b) + sign * f(c * d)));
+    const r = [
+        one(y, z),
+        sum(x, y, z, w, 1),
+        sum(x, z, y, w, -1),
+        sum(x, y, z, w, -1),
+        one(x, z),
+        sum(y, z, x, w, 1),
+        sum(x, z, y, w, 1),
+        sum(y, z, x, w, -1),
+        one(x, y),
     ];
+    const m = r.map((v, i) => f(v * s[Math.floor(i / 3)]));
+    return [m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0, t[0], t[1], t[2], 1];
 }
 
 function times(a, b) {
     const out = new Array(16);
     for (let c = 0; c < 4; c++)
         for (let r = 0; r < 4; r++)
-            out[4 * c + r] = a[r] * b[4 * c] + a[4 + r] * b[4 * c + 1] + a[8 + r] * b[4 * c + 2] + a[12 + r] * b[4 * c + 3];
+            out[4 * c + r] =
+                a[r] * b[4 * c] + a[4 + r] * b[4 * c + 1] + a[8 + r] * b[4 * c + 2] + a[12 + r] * b[4 * c + 3];
     return out;
 }
 
@@ -52,7 +70,12 @@ class Gltf {
         this.corners = new Corners();
         this.losses = new Set();
         this.buffers = (json.buffers || []).map((b, i) => {
-            const got = b.uri === undefined ? bin : b.uri.startsWith('data:') ? dataUri(b.uri) : other(decodeURIComponent(b.uri));
+            const got =
+                b.uri === undefined
+                    ? bin
+                    : b.uri.startsWith('data:')
+                      ? dataUri(b.uri)
+                      : other(decodeURIComponent(b.uri));
             if (!got) throw new BadModel(name, 0, `its buffer ${b.uri || i} was not given; drop it with the model`);
             return got;
         });
@@ -67,13 +90,18 @@ class Gltf {
         const a = (this.json.accessors || [])[number];
         if (!a) this.fail(`accessor ${number} is missing; export the model again`);
         if (a.sparse) this.fail('sparse accessors are not read; export the model without them');
-        const type = VALUE[a.componentType], n = SIZE[a.type];
+        const type = VALUE[a.componentType],
+            n = SIZE[a.type];
         const v = (this.json.bufferViews || [])[a.bufferView];
         if (!type || !n || !v) this.fail(`accessor ${number} makes no sense; export the model again`);
-        const bytes = this.buffers[v.buffer], start = (v.byteOffset || 0) + (a.byteOffset || 0);
-        const stride = v.byteStride || n * type[1], end = start + stride * (a.count - 1) + n * type[1];
-        if (!bytes || end > bytes.length) this.fail(`accessor ${number} goes beyond its buffer; the file may be cut off`);
-        const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength), out = [];
+        const bytes = this.buffers[v.buffer],
+            start = (v.byteOffset || 0) + (a.byteOffset || 0);
+        const stride = v.byteStride || n * type[1],
+            end = start + stride * (a.count - 1) + n * type[1];
+        if (!bytes || end > bytes.length)
+            this.fail(`accessor ${number} goes beyond its buffer; the file may be cut off`);
+        const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength),
+            out = [];
         for (let i = 0; i < a.count; i++) {
             const row = [];
             for (let k = 0; k < n; k++) {
@@ -98,17 +126,24 @@ class Gltf {
         const uvs = p.attributes.TEXCOORD_0 === undefined ? null : this.rows(p.attributes.TEXCOORD_0);
         const colors = p.attributes.COLOR_0 === undefined ? null : this.rows(p.attributes.COLOR_0);
         const order = p.indices === undefined ? points.map((_, i) => i) : this.rows(p.indices).map((r) => r[0]);
-        const cof = cofactors(m), made = new Array(points.length);
+        const cof = cofactors(m),
+            made = new Array(points.length);
         const vertex = (i) => {
             if (i >= points.length) this.fail(`vertex index ${i} is out of range: ${points.length} exist`);
             if (made[i] !== undefined) return made[i];
             const [x, y, z] = points[i];
             const at = [0, 1, 2].map((r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]);
-            if (!at.every(Number.isFinite)) this.fail(`vertex ${i + 1} has a coordinate that is not finite; export it again`);
+            if (!at.every(Number.isFinite))
+                this.fail(`vertex ${i + 1} has a coordinate that is not finite; export it again`);
             const n = normals && [0, 1, 2].map((r) => cof.row[r].reduce((s, c, k) => s + c * normals[i][k], 0));
             const length = n ? Math.hypot(...n) : 0;
-            return (made[i] = this.corners.vertex(null, at, length > 0 ? n.map((c) => c / length) : null,
-                uvs ? uvs[i] : null, colors ? colors[i] : null));
+            return (made[i] = this.corners.vertex(
+                null,
+                at,
+                length > 0 ? n.map((c) => c / length) : null,
+                uvs ? uvs[i] : null,
+                colors ? colors[i] : null,
+            ));
         };
         for (let t = 0; t + 2 < order.length; t += 3) {
             const c = [order[t], order[t + 1], order[t + 2]].map(vertex);
@@ -124,9 +159,12 @@ class Gltf {
     walk() {
         const { scenes = [], nodes = [], scene = 0 } = this.json;
         const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-        const stack = [...((scenes[scene] || {}).nodes || nodes.map((_, i) => i))].reverse().map((n) => [n, identity, 0]);
+        const stack = [...((scenes[scene] || {}).nodes || nodes.map((_, i) => i))]
+            .reverse()
+            .map((n) => [n, identity, 0]);
         while (stack.length > 0) {
-            const [number, parent, depth] = stack.pop(), node = nodes[number];
+            const [number, parent, depth] = stack.pop(),
+                node = nodes[number];
             if (!node) this.fail(`node ${number} is missing; export the model again`);
             if (depth > 256) this.fail('nodes stand more than 256 deep; flatten the model');
             const m = times(parent, matrixOf(node));
@@ -140,11 +178,17 @@ class Gltf {
 
     materials() {
         const out = (this.json.materials || []).map((m, i) => {
-            const pbr = m.pbrMetallicRoughness || {}, base = pbr.baseColorFactor || [1, 1, 1, 1];
+            const pbr = m.pbrMetallicRoughness || {},
+                base = pbr.baseColorFactor || [1, 1, 1, 1];
             const made = {
-                name: m.name || `material ${i + 1}`, color: base.slice(0, 3), opacity: m.alphaMode === 'BLEND' ? base[3] : 1,
-                alpha: (m.alphaMode || 'OPAQUE').toLowerCase(), alphaLeast: m.alphaCutoff ?? 0.5, twoSided: !!m.doubleSided,
-                saysAlpha: true, textureFactor: base.slice(0, 3),
+                name: m.name || `material ${i + 1}`,
+                color: base.slice(0, 3),
+                opacity: m.alphaMode === 'BLEND' ? base[3] : 1,
+                alpha: (m.alphaMode || 'OPAQUE').toLowerCase(),
+                alphaLeast: m.alphaCutoff ?? 0.5,
+                twoSided: !!m.doubleSided,
+                saysAlpha: true,
+                textureFactor: base.slice(0, 3),
             };
             if (pbr.baseColorTexture) made.texture = pbr.baseColorTexture.index;
             if (m.emissiveFactor && m.emissiveFactor.some((c) => c > 0)) made.emission = m.emissiveFactor;
@@ -167,10 +211,16 @@ class Gltf {
 
 /* How normals go with a placement: its cofactors, with the sign that keeps outside outside. */
 function cofactors(m) {
-    const at = (r, c) => m[4 * c + r], row = [];
+    const at = (r, c) => m[4 * c + r],
+        row = [];
     for (let i = 0; i < 3; i++)
-        row.push([0, 1, 2].map((j) => at((i + 1) % 3, (j + 1) % 3) * at((i + 2) % 3, (j + 2) % 3) -
-            at((i + 1) % 3, (j + 2) % 3) * at((i + 2) % 3, (j + 1) % 3)));
+        row.push(
+            [0, 1, 2].map(
+                (j) =>
+                    at((i + 1) % 3, (j + 1) % 3) * at((i + 2) % 3, (j + 2) % 3) -
+                    at((i + 1) % 3, (j + 2) % 3) * at((i + 2) % 3, (j + 1) % 3),
+            ),
+        );
     const mirrored = at(0, 0) * row[0][0] + at(0, 1) * row[0][1] + at(0, 2) * row[0][2] < 0;
     return { mirrored, row: mirrored ? row.map((r) => r.map((c) => -c)) : row };
 }
@@ -186,9 +236,15 @@ export function readGltf(name, bytes, other = () => null) {
     } catch (e) {
         throw new BadModel(name, 0, 'its JSON does not end or is broken; get the whole file');
     }
-    if (!parsed || typeof parsed !== 'object' || !parsed.asset) throw new BadModel(name, 0, 'is no glTF: it has no `asset`');
+    if (!parsed || typeof parsed !== 'object' || !parsed.asset)
+        throw new BadModel(name, 0, 'is no glTF: it has no `asset`');
     const gltf = new Gltf(name, parsed, bin, other);
     gltf.walk();
     if (gltf.corners.indices.length === 0) throw new BadModel(name, 0, 'no triangles in it');
-    return gltf.corners.model(name, { materials: gltf.materials(), textures: gltf.textures(), losses: [...gltf.losses], uvDown: true });
+    return gltf.corners.model(name, {
+        materials: gltf.materials(),
+        textures: gltf.textures(),
+        losses: [...gltf.losses],
+        uvDown: true,
+    });
 }

@@ -41,14 +41,23 @@ export function readMtl(text) {
  * @param {(mtl: string) => string|null} other the text of a file that it names; null: it was not given
  * @return what engine.setModel takes; textures are names of files */
 export function readObj(name, text, other = () => null) {
-    const points = [], tints = [], normals = [], uvs = [];
-    const corners = new Corners(), losses = [];
+    const points = [],
+        tints = [],
+        normals = [],
+        uvs = [];
+    const corners = new Corners(),
+        losses = [];
     const lost = new Set();
     let library = new Map();
-    const materials = [], numberOf = new Map(), textures = [];
+    const materials = [],
+        numberOf = new Map(),
+        textures = [];
     let material = 0;
 
-    const lines = text.replace(/^\ufeff/, '').replace(/\\\r?\n/g, ' ').split(/\r\n|\n|\r/);
+    const lines = text
+        .replace(/^\ufeff/, '')
+        .replace(/\\\r?\n/g, ' ')
+        .split(/\r\n|\n|\r/);
     const fail = (line, why) => {
         throw new BadModel(name, line + 1, why);
     };
@@ -58,7 +67,8 @@ export function readObj(name, text, other = () => null) {
         return v;
     };
     const take = (word, n, what, line) => {
-        if (word.length - 1 < n) fail(line, `${what} with ${word.length - 1} of its ${n} numbers; the file may be cut off`);
+        if (word.length - 1 < n)
+            fail(line, `${what} with ${word.length - 1} of its ${n} numbers; the file may be cut off`);
         const out = [];
         for (let i = 1; i <= n; i++) out.push(number(word[i], line));
         return out;
@@ -106,13 +116,22 @@ export function readObj(name, text, other = () => null) {
                 const p = index(part[0], points.length, 'vertex', line);
                 const t = part.length > 1 && part[1] !== '' ? index(part[1], uvs.length, 'texture', line) : -1;
                 const n = part.length > 2 && part[2] !== '' ? index(part[2], normals.length, 'normal', line) : -1;
-                fan.push(corners.vertex(`${p}/${t}/${n}`, points[p], n < 0 ? null : normals[n], t < 0 ? null : uvs[t], tints[p]));
+                fan.push(
+                    corners.vertex(
+                        `${p}/${t}/${n}`,
+                        points[p],
+                        n < 0 ? null : normals[n],
+                        t < 0 ? null : uvs[t],
+                        tints[p],
+                    ),
+                );
             }
             corners.polygon(fan, material);
         } else if (word[0] === 'usemtl') {
             use(body.slice(6).trim());
         } else if (word[0] === 'mtllib') {
-            const file = body.slice(6).trim(), got = other(file);
+            const file = body.slice(6).trim(),
+                got = other(file);
             if (got === null) {
                 losses.push(`material file ${file} was not given: drop it with the model`);
             } else {
@@ -120,7 +139,11 @@ export function readObj(name, text, other = () => null) {
             }
         } else if (word[0] === 'l' || word[0] === 'p') {
             lost.add('lines and points');
-        } else if (!/^(o|g|s|vp|usemap|lod|bevel|c_interp|d_interp)$/.test(word[0]) && points.length === 0 && line > 20) {
+        } else if (
+            !/^(o|g|s|vp|usemap|lod|bevel|c_interp|d_interp)$/.test(word[0]) &&
+            points.length === 0 &&
+            line > 20
+        ) {
             fail(line, `'${word[0].slice(0, 20)}' is no element of OBJ text`);
         }
     }

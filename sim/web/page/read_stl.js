@@ -13,7 +13,8 @@ function isBinary(bytes) {
 
 function readBinary(name, bytes, corners) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    const n = view.getUint32(80, true), there = Math.floor((bytes.length - 84) / 50);
+    const n = view.getUint32(80, true),
+        there = Math.floor((bytes.length - 84) / 50);
     if (n > there) throw new BadModel(name, 0, `cut off: ${there} of its ${n} faces are there; get the whole file`);
     for (let t = 0; t < n; t++) {
         const fan = [];
@@ -21,7 +22,11 @@ function readBinary(name, bytes, corners) {
             const at = 84 + 50 * t + 12 + 12 * k;
             const p = [0, 4, 8].map((i) => view.getFloat32(at + i, true));
             if (!p.every(Number.isFinite))
-                throw new BadModel(name, 0, `face ${t + 1} has a coordinate that is not finite; export the model again`);
+                throw new BadModel(
+                    name,
+                    0,
+                    `face ${t + 1} has a coordinate that is not finite; export the model again`,
+                );
             fan.push(corners.vertex(p.join(), p));
         }
         corners.polygon(fan, 0);
@@ -36,7 +41,11 @@ function readText(name, text, corners) {
         if (word[0] === 'vertex') {
             const p = word.slice(1, 4).map((w) => Math.fround(Number(w)));
             if (p.length < 3 || !p.every(Number.isFinite))
-                throw new BadModel(name, line + 1, `'${lines[line].trim().slice(0, 40)}' is not a vertex of three numbers`);
+                throw new BadModel(
+                    name,
+                    line + 1,
+                    `'${lines[line].trim().slice(0, 40)}' is not a vertex of three numbers`,
+                );
             fan.push(corners.vertex(p.join(), p));
         } else if (word[0] === 'endloop') {
             if (fan.length < 3)
@@ -52,7 +61,8 @@ function readText(name, text, corners) {
 /** Read an STL. @param {string} name @param {Uint8Array} bytes @return what engine.setModel takes */
 export function readStl(name, bytes) {
     const corners = new Corners();
-    if (bytes.length < 15) throw new BadModel(name, 0, `cut off: ${bytes.length} bytes are no STL file; get the whole file`);
+    if (bytes.length < 15)
+        throw new BadModel(name, 0, `cut off: ${bytes.length} bytes are no STL file; get the whole file`);
     if (isBinary(bytes)) readBinary(name, bytes, corners);
     else readText(name, new TextDecoder().decode(bytes), corners);
     if (corners.indices.length === 0) throw new BadModel(name, 0, 'no faces in it');

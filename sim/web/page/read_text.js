@@ -56,7 +56,8 @@ export class Corners {
     model(name, { materials = [], textures = [], losses = [], uvDown = false, single = true } = {}) {
         return {
             name,
-            positions: (single ? Float32Array : Float64Array).from(this.positions),
+            positions: Float64Array.from(this.positions),
+            single,
             indices: Uint32Array.from(this.indices),
             normals: this.hasNormals ? Float32Array.from(this.normals) : undefined,
             uvs: this.hasUvs ? Float64Array.from(this.uvs) : undefined,

@@ -1,0 +1,170 @@
+/* Models of each format that the page reads, of one ring, with a texture where the format has one.
+ *
+ * Usage: node tests/web/models.mjs FOLDER: ring.obj, ring.mtl, ring.png, ring.stl, ring.ply, ring.glb
+ *
+ * SPDX-License-Identifier: MIT
+ */
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { deflateSync } from 'node:zlib';
+
+const A = 24,
+    B = 12,
+    SIDE = 32;
+const points = [],
+    normals = [],
+    uvs = [],
+    indices = [];
+const write = (name, data) => writeFileSync(join(process.argv[2], name), data);
+
+for (let i = 0; i <= A; i++)
+    for (let j = 0; j <= B; j++) {
+        const a = (i / A) * 2 * Math.PI,
+            b = (j / B) * 2 * Math.PI,
+            r = 1 + 0.4 * Math.cos(b);
+        points.push([r * Math.cos(a), 0.4 * Math.sin(b) + 0.1 * Math.sin(3 * a), r * Math.sin(a)]);
+        normals.push([Math.cos(b) * Math.cos(a), Math.sin(b), Math.cos(b) * Math.sin(a)]);
+        uvs.push([(3 * i) / A, j / B]);
+    }
+for (let i = 0; i < A; i++)
+    for (let j = 0; j < B; j++) {
+        const q = i * (B + 1) + j;
+        indices.push(q, q + 1, q + B + 2, q, q + B + 2, q + B + 1);
+    }
+const triangles = Array.from({ length: indices.length / 3 }, (_, t) => indices.slice(3 * t, 3 * t + 3));
+
+/* ---- A texture ---- */
+
+function crc(bytes) {
+    let c = ~0;
+    for (const v of bytes) {
+        c ^= v;
+        for (let k = 0; k < 8; k++) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
+    }
+    return ~c >>> 0;
+}
+function chunk(name, data) {
+    const out = Buffer.alloc(12 + data.length);
+    out.writeUInt32BE(data.length, 0);
+    out.write(name, 4, 'latin1');
+    data.copy(out, 8);
+    out.writeUInt32BE(crc(out.subarray(4, 8 + data.length)), 8 + data.length);
+    return out;
+}
+const raw = Buffer.alloc(SIDE * (3 * SIDE + 1)),
+    head = Buffer.alloc(13);
+for (let y = 0; y < SIDE; y++)
+    for (let x = 0; x < SIDE; x++)
+        raw.set([((x >> 3) ^ (y >> 3)) & 1 ? 230 : 30, 8 * x, 8 * y], y * (3 * SIDE + 1) + 1 + 3 * x);
+head.writeUInt32BE(SIDE, 0);
+head.writeUInt32BE(SIDE, 4);
+head.set([8, 2], 8);
+const png = Buffer.concat([
+    Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]),
+    chunk('IHDR', head),
+    chunk('IDAT', deflateSync(raw)),
+    chunk('IEND', Buffer.alloc(0)),
+]);
+write('ring.png', png);
+
+/* ---- OBJ, STL, PLY ---- */
+
+const rows = (list, word) => list.map((v) => `${word}${v.join(' ')}\n`).join('');
+write('ring.mtl', 'newmtl m\nKd 0.9 0.8 1\nmap_Kd ring.png\n');
+write(
+    'ring.obj',
+    `mtllib ring.mtl\nusemtl m\n${rows(points, 'v ')}${rows(uvs, 'vt ')}${rows(normals, 'vn ')}` +
+        rows(
+            triangles.map((t) => t.map((v) => `${v + 1}/${v + 1}/${v + 1}`)),
+            'f ',
+        ),
+);
+
+const stl = Buffer.alloc(84 + 50 * triangles.length);
+stl.writeUInt32LE(triangles.length, 80);
+triangles.forEach((t, i) =>
+    t.forEach((v, k) => points[v].forEach((p, c) => stl.writeFloatLE(p, 84 + 50 * i + 12 + 12 * k + 4 * c))),
+);
+write('ring.stl', stl);
+
+write(
+    'ring.ply',
+    `ply\nformat ascii 1.0\nelement vertex ${points.length}\n${rows(
+        ['x', 'y', 'z'].map((c) => ['float', c]),
+        'property ',
+    )}` +
+        `${rows(
+            ['red', 'green', 'blue'].map((c) => ['uchar', c]),
+            'property ',
+        )}element face ${triangles.length}\n` +
+        `property list uchar int vertex_indices\nend_header\n${rows(
+            points.map((p, i) => [...p, (i * 7) % 256, (i * 3) % 256, 90]),
+            '',
+        )}` +
+        rows(
+            triangles.map((t) => [3, ...t]),
+            '',
+        ),
+);
+
+/* ---- glTF: one mesh at two places, turned, and mirrored ---- */
+
+const floats = (list) => Buffer.from(Float32Array.from(list.flat()).buffer);
+const buffers = [floats(points), floats(normals), floats(uvs), Buffer.from(Uint16Array.from(indices).buffer), png];
+let bytes = 0;
+const bufferViews = buffers.map((b) => {
+    const view = { buffer: 0, byteOffset: bytes, byteLength: b.length };
+    bytes += (b.length + 3) & ~3;
+    return view;
+});
+const bin = Buffer.alloc(bytes);
+buffers.forEach((b, i) => b.copy(bin, bufferViews[i].byteOffset));
+const accessor = (bufferView, componentType, count, type) => ({ bufferView, componentType, count, type });
+let json = Buffer.from(
+    JSON.stringify({
+        asset: { version: '2.0' },
+        scene: 0,
+        scenes: [{ nodes: [0, 1] }],
+        nodes: [
+            { mesh: 0, rotation: [0.2588190451, 0, 0, 0.9659258263], scale: [1, 1.2, 1] },
+            { mesh: 0, translation: [0.5, 1.3, 0], scale: [-0.5, 0.5, 0.5] },
+        ],
+        meshes: [
+            { primitives: [{ attributes: { POSITION: 0, NORMAL: 1, TEXCOORD_0: 2 }, indices: 3, material: 0 }] },
+        ],
+        materials: [
+            {
+                name: 'm',
+                pbrMetallicRoughness: {
+                    baseColorFactor: [1, 0.9, 0.8, 1],
+                    baseColorTexture: { index: 0 },
+                    metallicFactor: 0,
+                },
+            },
+        ],
+        textures: [{ source: 0 }],
+        images: [{ bufferView: 4, mimeType: 'image/png' }],
+        bufferViews,
+        buffers: [{ byteLength: bytes }],
+        accessors: [
+            { ...accessor(0, 5126, points.length, 'VEC3'), min: [-2, -2, -2], max: [2, 2, 2] },
+            accessor(1, 5126, points.length, 'VEC3'),
+            accessor(2, 5126, points.length, 'VEC2'),
+            accessor(3, 5123, indices.length, 'SCALAR'),
+        ],
+    }),
+);
+json = Buffer.concat([json, Buffer.alloc((4 - (json.length % 4)) % 4, 32)]);
+const words = (...n) => Buffer.from(Uint32Array.from(n).buffer);
+write(
+    'ring.glb',
+    Buffer.concat([
+        Buffer.from('glTF'),
+        words(2, 28 + json.length + bytes, json.length),
+        Buffer.from('JSON'),
+        json,
+        words(bytes),
+        Buffer.from('BIN\0'),
+        bin,
+    ]),
+);
