@@ -184,8 +184,8 @@ function caption(s) {
     at.hidden = app.shown !== 'wrong';
     const n = (name) => (s[name] || 0).toLocaleString('en-US');
     at.textContent =
-        `Against a renderer in double precision: ${n('wrong_missing')} pixels are missing, ${n('wrong_extra')} too ` +
-        `many, ${n('wrong_color')} of another colour, ${n('wrong_one_step')} one step of colour off. They are bright.`;
+        `Against a renderer in double precision: ${n('wrong_missing')} pixels are missing (red), ${n('wrong_extra')} ` +
+        `too many (yellow), ${n('wrong_color')} of another colour (magenta), ${n('wrong_one_step')} one step off (blue).`;
 }
 const settle = later(140, figures);
 let settledAt = 0;
