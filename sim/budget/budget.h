@@ -121,8 +121,8 @@ double budget_wire_ms(const struct budget_request *rq, const struct budget *b, c
 struct budget_totals {
     double ram, flash, draw_ms, frame_ms, fps, fps_single; /* the last with one buffer */
 };
-void budget_totals(struct budget_totals *t, const struct budget_request *rq, const struct budget *b, enum sim_core core,
-                   double mhz, double wire);
+void budget_totals(struct budget_totals *t, const struct budget_request *rq, const struct budget *b,
+                   enum sim_core core, double mhz, double wire);
 
 /* ---- Answers ------------------------------------------------------------------------------------ */
 

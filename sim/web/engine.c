@@ -33,14 +33,22 @@ WEB_EXPORT(give) void web_give(void *block)
 static const char *kind_name(enum sim_option_kind kind)
 {
     switch (kind) {
-    case SIM_OPTION_SIZE: return "size";
-    case SIM_OPTION_COUNT: return "count";
-    case SIM_OPTION_NUMBER: return "number";
-    case SIM_OPTION_VECTOR: return "vector";
-    case SIM_OPTION_RGB: return "rgb";
-    case SIM_OPTION_CHOICE: return "choice";
-    case SIM_OPTION_FLAG: return "flag";
-    default: return "text";
+    case SIM_OPTION_SIZE:
+        return "size";
+    case SIM_OPTION_COUNT:
+        return "count";
+    case SIM_OPTION_NUMBER:
+        return "number";
+    case SIM_OPTION_VECTOR:
+        return "vector";
+    case SIM_OPTION_RGB:
+        return "rgb";
+    case SIM_OPTION_CHOICE:
+        return "choice";
+    case SIM_OPTION_FLAG:
+        return "flag";
+    default:
+        return "text";
     }
 }
 
@@ -52,8 +60,8 @@ WEB_EXPORT(options) const char *web_options(void)
     FILE *f = answer_begin();
     const char *comma = "[";
     for (size_t i = 0; i < n; i++) {
-        if (row[i].kind >= SIM_OPTION_HEADING || row[i].kind == SIM_OPTION_FILE || row[i].kind == SIM_OPTION_PATH ||
-            row[i].name[1] != '-')
+        if (row[i].kind >= SIM_OPTION_HEADING || row[i].kind == SIM_OPTION_FILE ||
+            row[i].kind == SIM_OPTION_PATH || row[i].name[1] != '-')
             continue;
         (void)fprintf(f, "%s{\"name\":", comma);
         answer_text(f, row[i].name + 2);
@@ -100,7 +108,8 @@ static int parse(struct sim_options *o, char **words, const char *given, size_t 
 
 /* ---- What is drawn ------------------------------------------------------------------------------ */
 
-static int draw(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o)
+static int draw(struct sim_rendered *out, const struct sim_model *model,
+                const struct sim_options *o)
 {
     if (web.name == NULL)
         return sim_refuse(NULL, 0, "there is nothing to draw; choose a scene or a model");
@@ -235,11 +244,12 @@ WEB_EXPORT(stats) const char *web_stats(void)
         uint32_t value;
     } own[] = {
 #define OWN(field) { #field, s->field }
-        OWN(clusters_in), OWN(clusters_culled), OWN(tris_in), OWN(tris_drawn), OWN(tris_frustum), OWN(tris_cluster),
-        OWN(tris_near), OWN(tris_far), OWN(tris_offscreen), OWN(tris_facing), OWN(tris_zero), OWN(tris_empty),
-        OWN(tris_index), OWN(tris_clipped), OWN(verts_transformed), OWN(tris_setup), OWN(tris_hidden),
-        OWN(strips_clean), OWN(strips_skipped), OWN(max_tris_used), OWN(max_verts_used), OWN(pairs),
-        OWN(pixels_hidden), OWN(tiles_tested),
+        OWN(clusters_in),    OWN(clusters_culled), OWN(tris_in),           OWN(tris_drawn),
+        OWN(tris_frustum),   OWN(tris_cluster),    OWN(tris_near),         OWN(tris_far),
+        OWN(tris_offscreen), OWN(tris_facing),     OWN(tris_zero),         OWN(tris_empty),
+        OWN(tris_index),     OWN(tris_clipped),    OWN(verts_transformed), OWN(tris_setup),
+        OWN(tris_hidden),    OWN(strips_clean),    OWN(strips_skipped),    OWN(max_tris_used),
+        OWN(max_verts_used), OWN(pairs),           OWN(pixels_hidden),     OWN(tiles_tested),
 #undef OWN
     };
     struct sim_json json;

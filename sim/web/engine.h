@@ -24,13 +24,13 @@ struct web {
     struct sim_options options; /* of zsim render; its texts lie in *words */
     char *words;                /* '\0'-terminated one by one */
     struct web_orbit orbit;
-    const struct demo *scene;   /* NULL: a model */
-    const char *name;           /* of either; NULL: nothing was chosen */
-    uint32_t time;              /* frame of a scene's animation */
+    const struct demo *scene; /* NULL: a model */
+    const char *name;         /* of either; NULL: nothing was chosen */
+    uint32_t time;            /* frame of a scene's animation */
     struct sim_model model;
-    struct sim_options chosen;  /* the options, with the shading that was chosen for the model */
-    struct sim_rendered drawn;  /* the last good frame; width 0: none */
-    struct web_wrong wrong;     /* of the last comparison */
+    struct sim_options chosen; /* the options, with the shading that was chosen for the model */
+    struct sim_rendered drawn; /* the last good frame; width 0: none */
+    struct web_wrong wrong;    /* of the last comparison */
 };
 extern struct web web;
 
@@ -38,16 +38,19 @@ extern struct web web;
 int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o);
 /* The scene of a name; NULL: none. */
 const struct demo *web_scene_named(const char *name);
-/* The same scene from another side. The angles turn its camera about the middle of its instances; distance is a factor. */
+/* The same scene from another side. The angles turn its camera about the middle of its instances; distance is a
+ * factor. */
 void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by);
 /* Does it have effects? */
 int web_scene_is_piece(const struct demo *scene);
 /* The configuration that options mean for a scene. */
-void web_scene_config(struct zs_config *config, const struct demo *scene, const struct sim_options *o);
+void web_scene_config(struct zs_config *config, const struct demo *scene,
+                      const struct sim_options *o);
 
 /* The model that was handed over, as options ask for it; *o gets the shading that is chosen. */
 int web_model_load(struct sim_model *model, struct sim_options *o);
 /* Its frame. */
-int web_model_draw(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o);
+int web_model_draw(struct sim_rendered *out, const struct sim_model *model,
+                   const struct sim_options *o);
 
 #endif

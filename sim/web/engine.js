@@ -1,4 +1,5 @@
-// The renderer and what of zsim a page needs, out of engine.wasm. An ES module without dependencies, for browsers and node.
+// The renderer and what of zsim a page needs, out of engine.wasm. An ES module without dependencies, for
+// browsers and node.
 //
 // SPDX-License-Identifier: MIT
 
@@ -7,12 +8,17 @@
 /** An error of the engine itself: it ran out of memory, or a file is not engine.wasm. */
 export class EngineError extends Error {}
 
-const ALIASES = { tris: 'maxTriangles', verts: 'maxVertices', depth: 'depthMapping', show: 'falseColors' };
+const ALIASES = {
+    tris: 'maxTriangles',
+    verts: 'maxVertices',
+    depth: 'depthMapping',
+    show: 'falseColors'
+};
 const camel = (name) => ALIASES[name] ?? name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
 /** What the C library asks of its system: two streams of text and a clock. Everything else is refused. */
 function system(said) {
-    const REFUSED = 52; // ENOSYS
+    const REFUSED = 52;  // ENOSYS
     const text = new TextDecoder();
     let memory;
     const view = () => new DataView(memory().buffer);
@@ -33,25 +39,28 @@ function system(said) {
         },
         fd_fdstat_get(fd, to) {
             new Uint8Array(memory().buffer, to, 24).fill(0);
-            view().setUint8(to, 4); // a regular file, so that it is no terminal
+            view().setUint8(to, 4);  // a regular file, so that it is no terminal
             return 0;
         },
-        proc_exit(status) {
-            throw new EngineError(`the engine stopped (${status})`);
-        },
+        proc_exit(status) { throw new EngineError(`the engine stopped (${status})`); },
     };
-    const table = new Proxy(calls, { get: (all, name) => all[name] ?? (() => REFUSED) });
-    return { table, bind: (get) => (memory = get) };
+    const table = new Proxy(calls, {get: (all, name) => all[name] ?? (() => REFUSED)});
+    return {table, bind: (get) => (memory = get)};
 }
 
 /** A material as struct web_paint of given.h. */
 function paintNumbers(paint) {
     const flag = (on, bit) => (on ? bit : 0);
-    const modes = { opaque: 0, mask: 1, blend: 2 };
+    const modes = {opaque: 0, mask: 1, blend: 2};
     const opacity = paint.opacity ?? 1;
     return [
-        ...(paint.color ?? [-1, 0, 0]), ...(paint.emission ?? [0, 0, 0]), ...(paint.specular ?? [0, 0, 0]), paint.power ?? 0,
-        opacity, paint.alphaLeast ?? 128 / 255, ...(paint.textureFactor ?? [1, 1, 1]),
+        ...(paint.color ?? [ -1, 0, 0 ]),
+        ...(paint.emission ?? [ 0, 0, 0 ]),
+        ...(paint.specular ?? [ 0, 0, 0 ]),
+        paint.power ?? 0,
+        opacity,
+        paint.alphaLeast ?? 128 / 255,
+        ...(paint.textureFactor ?? [ 1, 1, 1 ]),
         modes[paint.alpha] ?? (opacity < 1 ? 2 : 0),
         flag(paint.twoSided, 1) | flag(paint.unlit, 2) | flag(paint.clampU, 4) | flag(paint.clampV, 8) |
             flag(paint.saysAlpha, 16),
@@ -70,10 +79,10 @@ export async function createEngine(wasmBytes) {
 
 export class Engine {
     #module;
-    #c; // exports
+    #c;  // exports
     #said = '';
     #args = {};
-    #panel = ''; // the last one, for the wire of false colours
+    #panel = '';  // the last one, for the wire of false colours
     #figured = null;
     #name = '';
 
@@ -87,16 +96,14 @@ export class Engine {
         const host = system((fd, text) => (this.#said += text));
         const needed = WebAssembly.Module.imports(this.#module).map((one) => one.name);
         const wasi = Object.fromEntries(needed.map((name) => [name, host.table[name]]));
-        const instance = new WebAssembly.Instance(this.#module, { wasi_snapshot_preview1: wasi });
+        const instance = new WebAssembly.Instance(this.#module, {wasi_snapshot_preview1: wasi});
         this.#c = instance.exports;
         host.bind(() => this.#c.memory);
         this.#c._initialize();
         this.#c.begin();
     }
 
-    #bytes(at, n) {
-        return new Uint8Array(this.#c.memory.buffer, at, n);
-    }
+    #bytes(at, n) { return new Uint8Array(this.#c.memory.buffer, at, n); }
 
     #text(at) {
         const all = new Uint8Array(this.#c.memory.buffer);
@@ -125,19 +132,18 @@ export class Engine {
         const status = call();
         const lines = this.#said.split('\n').filter((line) => line !== '');
         const plain = (line) => line.replace(/^zstrip: /, '').replace(/; see zstrip --help$/, '');
-        return { ok: status === 0, error: status === 0 ? '' : plain(lines.at(-1) ?? 'it was refused') };
+        return {ok: status === 0, error: status === 0 ? '' : plain(lines.at(-1) ?? 'it was refused')};
     }
 
     /** The demo scenes: those of firmware/scenes, and showpieces with effects.
      * @returns {{name: string, text: string, width: number, height: number, frames: number, triangles: number,
      *            textured: boolean, moving: boolean, bench: boolean, effects: boolean}[]} */
-    scenes() {
-        return JSON.parse(this.#text(this.#c.scenes()));
-    }
+    scenes() { return JSON.parse(this.#text(this.#c.scenes())); }
 
     /** What configure takes: the options of `zsim render`, by its own table. A name is zsim's without dashes, in camel
      * case, but for width and height (--size), maxTriangles, maxVertices (--tris, --verts), depthMapping (--depth) and
-     * falseColors (--show, and 'wrong': pixels that are not the reference's). zsim: the option's own name. value: what is set; undefined: the engine chooses.
+     * falseColors (--show, and 'wrong': pixels that are not the reference's). zsim: the option's own
+     * name. value: what is set; undefined: the engine chooses.
      * @returns {{name: string, zsim: string, kind: 'number'|'choice'|'flag'|'text', choices?: string[], min?: number,
      *            max?: number, step?: number, value: any, text: string}[]} */
     options() {
@@ -145,17 +151,20 @@ export class Engine {
         const out = [];
         for (const row of rows) {
             const text = row.text.replaceAll('{range}', row.min === undefined ? '' : `${row.min} to ${row.max}`);
-            const base = { zsim: `--${row.name}`, text };
+            const base = {zsim: `--${row.name}`, text};
             if (row.name === 'size') {
                 for (const name of ['width', 'height'])
-                    out.push({ name, ...base, kind: 'number', min: row.min, max: row.max, step: 1 });
+                    out.push({name, ...base, kind: 'number', min: row.min, max: row.max, step: 1});
                 continue;
             }
-            const one = { name: camel(row.name), ...base, kind: 'text' };
-            if (row.words !== undefined) Object.assign(one, { kind: 'choice', choices: row.words.split('|') });
-            else if (row.kind === 'flag') one.kind = 'flag';
+            const one = {name: camel(row.name), ...base, kind: 'text'};
+            if (row.words !== undefined)
+                Object.assign(one, {kind: 'choice', choices: row.words.split('|')});
+            else if (row.kind === 'flag')
+                one.kind = 'flag';
             else if (row.kind === 'count' || row.kind === 'number')
-                Object.assign(one, { kind: 'number', step: row.kind === 'count' ? 1 : 'any', min: row.min, max: row.max });
+                Object.assign(
+                    one, {kind: 'number', step: row.kind === 'count' ? 1 : 'any', min: row.min, max: row.max});
             out.push(one);
         }
         out.find((one) => one.name === 'falseColors').choices.push('wrong');
@@ -191,10 +200,11 @@ export class Engine {
         const verts = Math.floor(model.positions.length / 3), tris = Math.floor(model.indices.length / 3);
         const paints = model.materials ?? [], images = model.textures ?? [];
         const answer = this.#ask(() => {
-            this.#with(name(model.name ?? 'model'), (at) => c.model_begin(at, verts, tris, paints.length, images.length));
+            this.#with(
+                name(model.name ?? 'model'), (at) => c.model_begin(at, verts, tris, paints.length, images.length));
             const put = (which, Type, from, n) => {
                 if (from === undefined || from === null) return;
-                const at = c.model_array(which); // the memory may grow, and its buffer become another one
+                const at = c.model_array(which);  // the memory may grow, and its buffer become another one
                 new Type(c.memory.buffer, at, n).set(from.length > n ? from.subarray(0, n) : from);
             };
             put(0, Float64Array, model.positions, 3 * verts);
@@ -202,7 +212,8 @@ export class Engine {
                 const at = c.model_array(1);
                 const uvs = new Float64Array(c.memory.buffer, at, 2 * verts).fill(NaN);
                 uvs.set(model.uvs);
-                if (!model.uvDown) for (let i = 1; i < uvs.length; i += 2) uvs[i] = 1 - uvs[i];
+                if (!model.uvDown)
+                    for (let i = 1; i < uvs.length; i += 2) uvs[i] = 1 - uvs[i];
             }
             put(2, Float32Array, model.normals, 3 * verts);
             put(3, Float32Array, model.colors, 3 * verts);
@@ -220,7 +231,7 @@ export class Engine {
         });
         if (answer.ok) this.#changed(model.name ?? 'model');
         const losses = answer.ok ? this.#text(c.losses()).split('\n').filter((line) => line !== '') : [];
-        return { ...answer, losses: [...(answer.ok ? model.losses ?? [] : []), ...losses] };
+        return {...answer, losses: [...(answer.ok ? model.losses ?? [] : []), ...losses ]};
     }
 
     #words(args) {
@@ -249,8 +260,9 @@ export class Engine {
      * @param {Object<string, any>} changes
      * @returns {Answer} */
     configure(changes) {
-        const args = { ...this.#args, ...changes };
-        for (const name of Object.keys(args)) if (args[name] === undefined || args[name] === null) delete args[name];
+        const args = {...this.#args, ...changes};
+        for (const name of Object.keys(args))
+            if (args[name] === undefined || args[name] === null) delete args[name];
         const words = this.#words(args);
         const bytes = new TextEncoder().encode(words.map((word) => word + '\0').join('') || '\0');
         const answer = this.#ask(() => this.#with(bytes, (at) => this.#c.configure(at, bytes.length, words.length)));
@@ -264,17 +276,13 @@ export class Engine {
 
     /** Options as `zsim render` takes them.
      * @returns {string[]} */
-    commandLine() {
-        return this.#words(this.#args);
-    }
+    commandLine() { return this.#words(this.#args); }
 
     /** Turn the camera about the middle of what is drawn, from where it would stand.
      * @param {number} yaw  radians
      * @param {number} pitch  radians
      * @param {number} [distance]  factor, 1 is its own */
-    orbit(yaw, pitch, distance = 1) {
-        this.#c.orbit(yaw, pitch, distance);
-    }
+    orbit(yaw, pitch, distance = 1) { this.#c.orbit(yaw, pitch, distance); }
 
     /** The frame of a scene's animation.
      * @param {number} frame  any whole number */
@@ -293,8 +301,13 @@ export class Engine {
         const view = (at) => (at !== 0 ? new Uint16Array(this.#c.memory.buffer, at, n) : null);
         const stats = n > 0 ? JSON.parse(this.#text(this.#c.stats())) : {};
         return {
-            ...answer, width, height, pixels: view(this.#c.pixels()) ?? new Uint16Array(0), depth: view(this.#c.keys()),
-            stats, passes: stats.passes ?? 0,
+            ...answer,
+            width,
+            height,
+            pixels: view(this.#c.pixels()) ?? new Uint16Array(0),
+            depth: view(this.#c.keys()),
+            stats,
+            passes: stats.passes ?? 0,
         };
     }
 
@@ -302,14 +315,14 @@ export class Engine {
      * @returns {{width: number, height: number}} */
     pictureSize() {
         const shown = this.#c.shown() !== 0;
-        return shown ? { width: this.#c.shown_width(), height: this.#c.shown_height() }
-            : { width: this.#c.width(), height: this.#c.height() };
+        return shown ? {width: this.#c.shown_width(), height: this.#c.shown_height()} :
+                       {width: this.#c.width(), height: this.#c.height()};
     }
 
     /** The last frame, or its false colours, as RGBA.
      * @param {Uint8ClampedArray|Uint8Array} target  four bytes a pixel of pictureSize() */
     rgba(target) {
-        const { width, height } = this.pictureSize(), n = width * height, at = this.#c.shown();
+        const {width, height} = this.pictureSize(), n = width * height, at = this.#c.shown();
         const out = new Uint32Array(target.buffer, target.byteOffset, n);
         if (at !== 0) {
             const rgb = this.#bytes(at, 3 * n);
@@ -327,12 +340,12 @@ export class Engine {
         if (this.#figured === null) {
             let answer = null;
             const panel = new TextEncoder().encode((this.#args.panel === undefined ? this.#panel : '') + '\0');
-            const { error } = this.#ask(() => this.#with(panel, (at) => {
+            const {error} = this.#ask(() => this.#with(panel, (at) => {
                 const text = this.#c.figures(at);
                 answer = text !== 0 ? JSON.parse(this.#text(text)) : null;
                 return answer === null ? 1 : 0;
             }));
-            this.#figured = answer ?? { ram: { pools: [], arena: 0, total: 0 }, parts: [], error };
+            this.#figured = answer ?? {ram: {pools: [], arena: 0, total: 0}, parts: [], error};
         }
         return this.#figured;
     }
@@ -340,34 +353,36 @@ export class Engine {
     /** RAM that a frame takes on a Cortex-M3, by pool; where no pools were set, those that hold the scene in one pass.
      * @returns {{pools: {name: string, bytes: number}[], arena: number, total: number, error?: string}} */
     ram() {
-        const { ram, error } = this.#figures();
-        return error ? { ...ram, error } : ram;
+        const {ram, error} = this.#figures();
+        return error ? {...ram, error} : ram;
     }
 
-    /** What a frame takes on each part that zsim budget knows. fps: null where it is not known; why says so. fpsError: a
-     * share: as far off as estimates of demo scenes are, which the estimate was not fitted to.
+    /** What a frame takes on each part that zsim budget knows. fps: null where it is not known; why says so. fpsError:
+     * a share: as far off as estimates of demo scenes are, which the estimate was not fitted to.
      * @returns {{name: string, text: string, core: string, mhz: number, ramBytes: number, flashBytes: number,
-     *            ramUsed: number, flashUsed: number, ramFits: boolean, flashFits: boolean, drawMs: ?number, wireMs: number,
-     *            fps: ?number, fpsError: number, limit: 'drawing'|'wire', why?: string}[]} */
-    parts() {
-        return this.#figures().parts;
-    }
+     *            ramUsed: number, flashUsed: number, ramFits: boolean, flashFits: boolean, drawMs: ?number,
+     *            wireMs: number, fps: ?number, fpsError: number, limit: 'drawing'|'wire', why?: string}[]} */
+    parts() { return this.#figures().parts; }
 
     /** What is wrong with the picture, if anything is.
      * @returns {string[]} */
     explain() {
         this.#said = '';
         this.#c.explain();
-        return this.#said.split('\n').filter((line) => line !== '').map((line) => line.replace(/^zstrip: [^ ]*: /, ''));
+        return this.#said.split('\n')
+            .filter((line) => line !== '')
+            .map((line) => line.replace(/^zstrip: [^ ]*: /, ''));
     }
 
     /** The model as C for firmware, as `zsim convert` writes it with the options that are set.
      * @param {string} name  a C identifier
-     * @returns {Object<string, string>} text by file name; of a scene, or a name that is none, an EngineError is thrown */
+     * @returns {Object<string, string>} text by file name; of a scene, or a name that is none, an
+     *   EngineError is thrown */
     files(name) {
-        const SHARED = ['--cull', '--precise', '--texture-format', '--wrap', '--color', '--simplify'];
+        const SHARED = [ '--cull', '--precise', '--texture-format', '--wrap', '--color', '--simplify' ];
         const words = this.#words(this.#args).filter((word) => SHARED.includes(word.split('=')[0]));
-        if (this.#args.shade !== undefined) words.push(`--shade=${this.#args.shade === 'id' ? 'raw' : this.#args.shade}`);
+        if (this.#args.shade !== undefined)
+            words.push(`--shade=${this.#args.shade === 'id' ? 'raw' : this.#args.shade}`);
         words.unshift('--name', name, '--out', '.');
         words.push('--', this.#name);
         const bytes = new TextEncoder().encode(words.map((word) => word + '\0').join(''));
@@ -378,6 +393,6 @@ export class Engine {
             return out === null ? 1 : 0;
         }));
         if (out === null) throw new EngineError(answer.error);
-        return { [`${name}.c`]: out.c, [`${name}.h`]: out.h };
+        return {[`${name}.c`] : out.c, [`${name}.h`] : out.h};
     }
 }

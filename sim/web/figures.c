@@ -17,7 +17,8 @@
 
 static int draw(struct sim_rendered *out, const struct sim_options *o)
 {
-    return web.scene != NULL ? web_scene_draw(out, web.scene, o) : web_model_draw(out, &web.model, o);
+    return web.scene != NULL ? web_scene_draw(out, web.scene, o)
+                             : web_model_draw(out, &web.model, o);
 }
 
 /* The pools that a frame takes, which is all that is known of effects. */
@@ -42,7 +43,7 @@ static int count(struct budget *b, struct budget_request *rq, int effects)
 {
     memset(b, 0, sizeof *b);
     b->method = &sim_methods[rq->o.method];
-    const int status = effects               ? count_frame(b, rq)
+    const int status = effects             ? count_frame(b, rq)
                        : web.scene != NULL ? budget_scene(b, rq)
                                            : budget_model(b, rq, &web.model);
     if (status != SIM_OK)
@@ -70,31 +71,36 @@ static void put_pools(FILE *f, const struct budget *b)
         const char *name;
         uint32_t bytes;
     } pools[] = {
-        { "strip buffers", r->color },   { "depth keys", r->depth },       { "hidden tiles", r->tiles },
-        { "bins", r->bins },             { "triangles", r->tris },         { "vertices", r->verts },
-        { "vertex numbers", r->numbers }, { "vertex attributes", r->attrs }, { "renderer", r->renderer },
-        { "scene and camera", r->scene }, { "panel", r->panel + r->scratch }, { "stack", r->stack[BUDGET_M3] },
+        { "strip buffers", r->color },      { "depth keys", r->depth },
+        { "hidden tiles", r->tiles },       { "bins", r->bins },
+        { "triangles", r->tris },           { "vertices", r->verts },
+        { "vertex numbers", r->numbers },   { "vertex attributes", r->attrs },
+        { "renderer", r->renderer },        { "scene and camera", r->scene },
+        { "panel", r->panel + r->scratch }, { "stack", r->stack[BUDGET_M3] },
     };
     const char *comma = "";
     (void)fputs("\"ram\":{\"pools\":[", f);
     for (size_t i = 0; i < sizeof pools / sizeof pools[0]; i++) {
         if (pools[i].bytes == 0)
             continue;
-        (void)fprintf(f, "%s{\"name\":\"%s\",\"bytes\":%u}", comma, pools[i].name, (unsigned)pools[i].bytes);
+        (void)fprintf(f, "%s{\"name\":\"%s\",\"bytes\":%u}", comma, pools[i].name,
+                      (unsigned)pools[i].bytes);
         comma = ",";
     }
-    (void)fprintf(f, "],\"arena\":%u,\"total\":%u}", (unsigned)r->arena, (unsigned)r->total[BUDGET_M3]);
+    (void)fprintf(f, "],\"arena\":%u,\"total\":%u}", (unsigned)r->arena,
+                  (unsigned)r->total[BUDGET_M3]);
 }
 
-static void put_part(FILE *f, const struct budget_request *rq, const struct budget *b, const struct budget_part *p,
-                     int effects)
+static void put_part(FILE *f, const struct budget_request *rq, const struct budget *b,
+                     const struct budget_part *p, int effects)
 {
     const double wire = budget_wire_ms(rq, b, p);
     struct budget_totals t;
     budget_totals(&t, rq, b, p->core, p->mhz, wire);
     t.draw_ms = effects ? (double)NAN : t.draw_ms;
     t.flash = effects ? (double)NAN : t.flash;
-    (void)fprintf(f, "{\"name\":\"%s\",\"core\":\"%s\",\"text\":", p->name, sim_core_names[p->core]);
+    (void)fprintf(f, "{\"name\":\"%s\",\"core\":\"%s\",\"text\":", p->name,
+                  sim_core_names[p->core]);
     answer_text(f, p->text);
     put_number(f, "mhz", p->mhz);
     put_number(f, "ramBytes", p->ram);
@@ -105,12 +111,14 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     put_number(f, "wireMs", wire);
     put_number(f, "fps", isnan(t.draw_ms) ? (double)NAN : t.fps);
     put_number(f, "fpsError", sim_cost_error(p->core) / 100.0);
-    (void)fprintf(f, ",\"limit\":\"%s\",\"ramFits\":%s,\"flashFits\":%s", wire > t.draw_ms ? "wire" : "drawing",
-                  t.ram <= p->ram ? "true" : "false", t.flash > p->flash ? "false" : "true");
+    (void)fprintf(f, ",\"limit\":\"%s\",\"ramFits\":%s,\"flashFits\":%s",
+                  wire > t.draw_ms ? "wire" : "drawing", t.ram <= p->ram ? "true" : "false",
+                  t.flash > p->flash ? "false" : "true");
     if (isnan(t.draw_ms))
         (void)fprintf(f, ",\"why\":\"%s\"",
-                      effects ? "Effects have no estimate of time and flash yet."
-                              : "This method was measured for some scenes alone, in their own size.");
+                      effects
+                          ? "Effects have no estimate of time and flash yet."
+                          : "This method was measured for some scenes alone, in their own size.");
     (void)fputs("}", f);
 }
 
@@ -135,7 +143,8 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
             return NULL;
         rq.o.spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
     }
-    const int effects = web.scene != NULL ? web_scene_is_piece(web.scene) : sim_effects_any(&rq.o.effects);
+    const int effects = web.scene != NULL ? web_scene_is_piece(web.scene)
+                                          : sim_effects_any(&rq.o.effects);
     if (web.name == NULL || count(&b, &rq, effects) != SIM_OK)
         return NULL;
     FILE *f = answer_begin();
@@ -170,14 +179,17 @@ WEB_EXPORT(explain) void web_explain(void)
 WEB_EXPORT(convert) const char *web_convert(const char *given, size_t bytes, int n)
 {
     struct sim_conversion *c = sim_alloc(1, sizeof *c);
-    char **argv = sim_alloc((size_t)n, sizeof *argv), *words = memcpy(sim_alloc(bytes, 1), given, bytes), *p = words;
+    char **argv = sim_alloc((size_t)n, sizeof *argv),
+         *words = memcpy(sim_alloc(bytes, 1), given, bytes), *p = words;
     const char *answer = NULL;
     for (int i = 0; i < n; i++) {
         argv[i] = p;
         p += strlen(p) + 1;
     }
     int status = web.name == NULL || web.scene != NULL
-                     ? sim_refuse(NULL, 0, "files are made of a model; demo scenes have theirs in the repository")
+                     ? sim_refuse(
+                           NULL, 0,
+                           "files are made of a model; demo scenes have theirs in the repository")
                      : sim_convert_parse(&c->options, n, argv);
     if (status == SIM_OK)
         status = sim_convert_load(&c->model, &c->options);

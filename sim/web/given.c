@@ -23,7 +23,8 @@ void web_given_free(struct web_given *g)
         free(g->paint_name[i]);
     for (uint32_t i = 0; g->image != NULL && i < g->n_images; i++)
         SIM_FREE(g->image[i].rgba, g->image[i].name);
-    SIM_FREE(g->name, g->point, g->uv, g->normal, g->rgb, g->tri, g->tri_material, g->paint, g->paint_name, g->image);
+    SIM_FREE(g->name, g->point, g->uv, g->normal, g->rgb, g->tri, g->tri_material, g->paint,
+             g->paint_name, g->image);
     memset(g, 0, sizeof *g);
 }
 
@@ -75,7 +76,8 @@ static void take_paint(struct sim_material *to, const struct web_paint *p, const
     to->texture = SIM_NO_TEXTURE;
     if (to->power == 0)
         to->specular = (struct zs_rgb){ 0, 0, 0 };
-    if (want->color == NULL && is_black(to->rgb) && !is_black(to->emission)) { /* it shines, and that is all */
+    if (want->color == NULL && is_black(to->rgb) &&
+        !is_black(to->emission)) { /* it shines, and that is all */
         to->rgb = to->emission;
         to->emission = (struct zs_rgb){ 0, 0, 0 };
         to->unlit = 1;
@@ -83,8 +85,9 @@ static void take_paint(struct sim_material *to, const struct web_paint *p, const
 }
 
 /* A picture of its own for a material's texture. */
-static void add_texture(struct sim_model *model, const struct web_image *from, const struct web_paint *p,
-                        const struct sim_material *material, enum sim_wrap wrap)
+static void add_texture(struct sim_model *model, const struct web_image *from,
+                        const struct web_paint *p, const struct sim_material *material,
+                        enum sim_wrap wrap)
 {
     const size_t n = (size_t)from->width * from->height;
     struct sim_image image = { from->width, from->height, sim_alloc(n, 3), NULL };
@@ -98,7 +101,8 @@ static void add_texture(struct sim_model *model, const struct web_image *from, c
         for (size_t i = 0; i < n; i++)
             image.alpha[i] = from->rgba[4 * i + 3];
     }
-    model->texture = sim_grow(model->texture, (size_t)model->n_textures + 1, sizeof *model->texture);
+    model->texture = sim_grow(model->texture, (size_t)model->n_textures + 1,
+                              sizeof *model->texture);
     struct sim_texture *t = &model->texture[model->n_textures++];
     sim_texture_make(t, &image, from->name, p->factor);
     t->clamp = wrap == SIM_WRAP_CLAMP    ? ZS_CLAMP_U | ZS_CLAMP_V
@@ -138,7 +142,8 @@ static void add_textures(struct sim_model *model, const struct web_given *g, enu
             same++;
         if (same == i)
             add_texture(model, &g->image[(uint32_t)p->texture], p, &model->material[i], wrap);
-        model->material[i].texture = same < i ? model->material[same].texture : model->n_textures - 1;
+        model->material[i].texture = same < i ? model->material[same].texture
+                                              : model->n_textures - 1;
     }
     free(used);
 }
@@ -151,16 +156,19 @@ static int check(const struct web_given *g)
         for (int k = 0; k < 3; k++) {
             const double c = g->point[i][k];
             if (!isfinite(c))
-                return sim_refuse(g->name, 0,
-                                  "vertex %u has a coordinate that is not finite; export the model again",
-                                  (unsigned)i + 1);
+                return sim_refuse(
+                    g->name, 0,
+                    "vertex %u has a coordinate that is not finite; export the model again",
+                    (unsigned)i + 1);
             if (fabs(c) > COORD_MAX)
-                return sim_refuse(g->name, 0, "coordinate %g is beyond %g; scale the model down", c, COORD_MAX);
+                return sim_refuse(g->name, 0, "coordinate %g is beyond %g; scale the model down", c,
+                                  COORD_MAX);
         }
     for (uint32_t t = 0; t < g->n_tris; t++)
         for (int k = 0; k < 3; k++)
             if (g->tri[t][k] >= g->n_verts)
-                return sim_refuse(g->name, 0, "vertex index %u of face %u is out of range: %u exist",
+                return sim_refuse(g->name, 0,
+                                  "vertex index %u of face %u is out of range: %u exist",
                                   (unsigned)g->tri[t][k], (unsigned)t + 1, (unsigned)g->n_verts);
     if (g->n_tris == 0)
         return sim_refuse(g->name, 0, "no faces in it; zsim draws polygons");
@@ -186,7 +194,8 @@ static int take_uv(struct sim_model *model, uint32_t t, const struct web_given *
         const double *uv = g->uv[v[k]];
         if (!(fabs(uv[0]) <= SIM_UV_MAX && fabs(uv[1]) <= SIM_UV_MAX))
             return sim_refuse(g->name, 0,
-                              "vertex %u has the texture coordinates %g, %g; the picture is 0 to 1, and zsim takes up "
+                              "vertex %u has the texture coordinates %g, %g; the picture is 0 to "
+                              "1, and zsim takes up "
                               "to %g",
                               (unsigned)v[k] + 1, uv[0], uv[1], SIM_UV_MAX);
         memcpy(model->uv[t][k], uv, sizeof model->uv[t][k]);
@@ -195,21 +204,24 @@ static int take_uv(struct sim_model *model, uint32_t t, const struct web_given *
     return SIM_OK;
 }
 
-static int take_triangles(struct sim_model *model, const struct web_given *g, const struct sim_want *want)
+static int take_triangles(struct sim_model *model, const struct web_given *g,
+                          const struct sim_want *want)
 {
     struct sim_weld weld;
     int status = SIM_OK;
     sim_weld_begin(&weld, 3 * (size_t)g->n_tris);
     for (uint32_t t = 0; status == SIM_OK && t < g->n_tris; t++) {
-        const uint32_t material = g->tri_material != NULL && g->tri_material[t] < g->n_paints ? g->tri_material[t] : 0;
+        const uint32_t material = g->tri_material != NULL && g->tri_material[t] < g->n_paints
+                                      ? g->tri_material[t]
+                                      : 0;
         model->tri_material[t] = material;
         for (int k = 0; k < 3; k++) {
             const uint32_t v = g->tri[t][k];
             model->tri[t][k] = sim_weld_point(&weld, model, g->point[v]);
             model->rgb[t][k] = model->material[material].rgb;
             if (g->rgb != NULL && want->color == NULL)
-                model->rgb[t][k] =
-                    to_rgb((const double[3]){ (double)g->rgb[v][0], (double)g->rgb[v][1], (double)g->rgb[v][2] });
+                model->rgb[t][k] = to_rgb((const double[3]){
+                    (double)g->rgb[v][0], (double)g->rgb[v][1], (double)g->rgb[v][2] });
             if (model->normal != NULL && g->normal != NULL)
                 take_normal(model->normal[t][k], g->normal[v]);
         }
@@ -220,7 +232,8 @@ static int take_triangles(struct sim_model *model, const struct web_given *g, co
     return status;
 }
 
-static void make_room(struct sim_model *model, const struct web_given *g, const struct sim_want *want)
+static void make_room(struct sim_model *model, const struct web_given *g,
+                      const struct sim_want *want)
 {
     const size_t n = g->n_tris;
     model->n_tris = g->n_tris;

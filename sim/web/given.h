@@ -18,7 +18,13 @@ struct web_paint {
     double flags;                            /* of enum web_paint_flag */
     double texture;                          /* its number; < 0: none */
 };
-enum web_paint_flag { WEB_TWO_SIDED = 1, WEB_UNLIT = 2, WEB_CLAMP_U = 4, WEB_CLAMP_V = 8, WEB_SAYS_ALPHA = 16 };
+enum web_paint_flag {
+    WEB_TWO_SIDED = 1,
+    WEB_UNLIT = 2,
+    WEB_CLAMP_U = 4,
+    WEB_CLAMP_V = 8,
+    WEB_SAYS_ALPHA = 16
+};
 
 struct web_image {
     uint32_t width, height;
@@ -28,12 +34,12 @@ struct web_image {
 
 struct web_given {
     char *name;
-    double (*point)[3];     /* [n_verts], model units */
-    double (*uv)[2];        /* [n_verts], v down; NULL: none; NaN: this vertex has none */
-    float (*normal)[3];     /* [n_verts], any length; NULL: none */
-    float (*rgb)[3];        /* [n_verts], 0 .. 1; NULL: none */
-    uint32_t (*tri)[3];     /* [n_tris] */
-    uint32_t *tri_material; /* [n_tris]; NULL: 0 */
+    double (*point)[3];      /* [n_verts], model units */
+    double (*uv)[2];         /* [n_verts], v down; NULL: none; NaN: this vertex has none */
+    float (*normal)[3];      /* [n_verts], any length; NULL: none */
+    float (*rgb)[3];         /* [n_verts], 0 .. 1; NULL: none */
+    uint32_t (*tri)[3];      /* [n_tris] */
+    uint32_t *tri_material;  /* [n_tris]; NULL: 0 */
     struct web_paint *paint; /* [n_paints], at least one */
     char **paint_name;
     struct web_image *image; /* [n_images] */

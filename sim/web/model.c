@@ -22,7 +22,8 @@ static struct web_given coming, kept;
 
 /* Begin: what there will be. */
 WEB_EXPORT(model_begin)
-void web_model_begin(const char *name, uint32_t n_verts, uint32_t n_tris, uint32_t n_paints, uint32_t n_images)
+void web_model_begin(const char *name, uint32_t n_verts, uint32_t n_tris, uint32_t n_paints,
+                     uint32_t n_images)
 {
     web_given_free(&coming);
     coming.name = strcpy(sim_alloc(strlen(name) + 1, 1), name);
@@ -36,7 +37,10 @@ void web_model_begin(const char *name, uint32_t n_verts, uint32_t n_tris, uint32
     coming.paint_name = sim_alloc(coming.n_paints, sizeof *coming.paint_name);
     coming.image = sim_alloc(n_images, sizeof *coming.image);
     for (uint32_t i = 0; i < coming.n_paints; i++) {
-        coming.paint[i] = (struct web_paint){ .rgb = { -1.0 }, .opacity = 1.0, .alpha_least = 0.5, .texture = -1.0,
+        coming.paint[i] = (struct web_paint){ .rgb = { -1.0 },
+                                              .opacity = 1.0,
+                                              .alpha_least = 0.5,
+                                              .texture = -1.0,
                                               .factor = { 1.0, 1.0, 1.0 } };
         coming.paint_name[i] = sim_alloc(1, 1);
     }
@@ -47,13 +51,21 @@ WEB_EXPORT(model_array) void *web_model_array(int which)
 {
     const size_t v = coming.n_verts;
     switch (which) {
-    case 0: return coming.point;
-    case 1: return coming.uv = sim_grow(coming.uv, v, sizeof *coming.uv);
-    case 2: return coming.normal = sim_grow(coming.normal, v, sizeof *coming.normal);
-    case 3: return coming.rgb = sim_grow(coming.rgb, v, sizeof *coming.rgb);
-    case 4: return coming.tri;
-    case 5: return coming.tri_material = sim_grow(coming.tri_material, coming.n_tris, sizeof *coming.tri_material);
-    default: return NULL;
+    case 0:
+        return coming.point;
+    case 1:
+        return coming.uv = sim_grow(coming.uv, v, sizeof *coming.uv);
+    case 2:
+        return coming.normal = sim_grow(coming.normal, v, sizeof *coming.normal);
+    case 3:
+        return coming.rgb = sim_grow(coming.rgb, v, sizeof *coming.rgb);
+    case 4:
+        return coming.tri;
+    case 5:
+        return coming.tri_material = sim_grow(coming.tri_material, coming.n_tris,
+                                              sizeof *coming.tri_material);
+    default:
+        return NULL;
     }
 }
 
@@ -68,12 +80,13 @@ WEB_EXPORT(model_paint) double *web_model_paint(uint32_t i, const char *name)
 }
 
 /* A picture: where its RGBA is to be written. NULL: it is too large. */
-WEB_EXPORT(model_image) uint8_t *web_model_image(uint32_t i, const char *name, uint32_t width, uint32_t height)
+WEB_EXPORT(model_image)
+uint8_t *web_model_image(uint32_t i, const char *name, uint32_t width, uint32_t height)
 {
-    if (i >= coming.n_images || width < 1 || height < 1 || width > SIM_IMAGE_MAX || height > SIM_IMAGE_MAX ||
-        (uint64_t)width * height > 1u << 27) {
-        (void)sim_refuse(name, 0, "a picture of %u x %u px; zsim reads up to %d each way", (unsigned)width,
-                         (unsigned)height, SIM_IMAGE_MAX);
+    if (i >= coming.n_images || width < 1 || height < 1 || width > SIM_IMAGE_MAX ||
+        height > SIM_IMAGE_MAX || (uint64_t)width * height > 1u << 27) {
+        (void)sim_refuse(name, 0, "a picture of %u x %u px; zsim reads up to %d each way",
+                         (unsigned)width, (unsigned)height, SIM_IMAGE_MAX);
         return NULL;
     }
     struct web_image *to = &coming.image[i];
@@ -123,7 +136,8 @@ static int turn(struct sim_options *o, const struct sim_model *model, const stru
     return SIM_OK;
 }
 
-int web_model_draw(struct sim_rendered *out, const struct sim_model *model, const struct sim_options *o)
+int web_model_draw(struct sim_rendered *out, const struct sim_model *model,
+                   const struct sim_options *o)
 {
     struct sim_options turned = *o;
     struct sim_original original;

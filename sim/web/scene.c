@@ -58,11 +58,12 @@ WEB_EXPORT(scenes) const char *web_scenes(void)
         (void)fputs(",\"text\":", f);
         answer_text(f, scene->what);
         (void)fprintf(f,
-                      ",\"width\":%u,\"height\":%u,\"frames\":%u,\"triangles\":%u,\"textured\":%s,\"moving\":%s,"
+                      ",\"width\":%u,\"height\":%u,\"frames\":%u,\"triangles\":%u,\"textured\":%s,"
+                      "\"moving\":%s,"
                       "\"bench\":%s,\"effects\":%s}",
-                      scene->width, scene->height, scene->frames, (unsigned)tris, textured ? "true" : "false",
-                      scene->frames > 1 ? "true" : "false", scene->bench ? "true" : "false",
-                      piece_of(scene) != NULL ? "true" : "false");
+                      scene->width, scene->height, scene->frames, (unsigned)tris,
+                      textured ? "true" : "false", scene->frames > 1 ? "true" : "false",
+                      scene->bench ? "true" : "false", piece_of(scene) != NULL ? "true" : "false");
     }
     (void)fputs("]", f);
     return answer_end();
@@ -73,7 +74,8 @@ static uint16_t pool(long wanted)
     return (uint16_t)(wanted > 0 && wanted < ZS_POOL_MAX ? wanted : ZS_POOL_MAX);
 }
 
-void web_scene_config(struct zs_config *config, const struct demo *scene, const struct sim_options *o)
+void web_scene_config(struct zs_config *config, const struct demo *scene,
+                      const struct sim_options *o)
 {
     static const struct zs_depth *const depths[] = {
         [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
@@ -81,7 +83,8 @@ void web_scene_config(struct zs_config *config, const struct demo *scene, const 
         [SIM_DEPTH_E5M11] = &zs_depth_e5m11, [SIM_DEPTH_FLOAT] = &zs_depth_float,
     };
     const int own = !o->has_size && o->panel.name == NULL;
-    const uint16_t width = own ? scene->width : (uint16_t)o->size[0], height = own ? scene->height : (uint16_t)o->size[1];
+    const uint16_t width = own ? scene->width : (uint16_t)o->size[0],
+                   height = own ? scene->height : (uint16_t)o->size[1];
     sim_frame_config(config, width, height, (uint8_t)scene->varyings);
     config->strip_h = (uint16_t)(o->strip < height ? o->strip : height);
     config->max_tris = pool(o->tris);
@@ -98,7 +101,8 @@ void web_scene_config(struct zs_config *config, const struct demo *scene, const 
 }
 
 /* What the glass of a panel shows of a frame, where its levels are fewer than the frame's. */
-static int through_panel(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o)
+static int through_panel(struct sim_rendered *out, const struct demo *scene,
+                         const struct sim_options *o)
 {
     struct sim_panel_frame panel;
     const struct zs_config *c = &out->config;
@@ -113,7 +117,11 @@ static int through_panel(struct sim_rendered *out, const struct demo *scene, con
             px[2 * i] = (uint8_t)(from[i] >> 8);
             px[2 * i + 1] = (uint8_t)from[i];
         }
-        const struct zs_strip strip = { .y = (uint16_t)y, .w = c->width, .h = h, .px = px, .n_bytes = (uint32_t)row * h,
+        const struct zs_strip strip = { .y = (uint16_t)y,
+                                        .w = c->width,
+                                        .h = h,
+                                        .px = px,
+                                        .n_bytes = (uint32_t)row * h,
                                         .dirty_w = c->width };
         if (sink.submit(sink.ctx, &strip) || sink.wait(sink.ctx))
             break;
@@ -150,7 +158,8 @@ static int compare(struct sim_rendered *out, const struct demo *scene, const str
     if (err == SIM_OK)
         web_wrong_draw(&out->shown, &web.wrong, &out->frame, &truth.image);
     sim_truth_free(&truth);
-    return err == SIM_OK ? SIM_OK : sim_refuse(scene->name, 0, "the reference could not draw it (%d)", err);
+    return err == SIM_OK ? SIM_OK
+                         : sim_refuse(scene->name, 0, "the reference could not draw it (%d)", err);
 }
 
 int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o)
@@ -162,17 +171,20 @@ int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const str
     scene->pose(&at, web.time % scene->frames, out->config.width, out->config.height);
     if (piece == NULL)
         web_scene_orbit(&at, &web.orbit);
-    int err = piece != NULL ? sim_piece_render(&out->frame, piece, &at, &out->config, NULL, NULL)
-                            : sim_frame_render(&out->frame, &at.scene, &at.camera, &out->config, NULL);
+    int err = piece != NULL
+                  ? sim_piece_render(&out->frame, piece, &at, &out->config, NULL, NULL)
+                  : sim_frame_render(&out->frame, &at.scene, &at.camera, &out->config, NULL);
     if (err == ZS_OK && o->show != SIM_SHOW_FRAME)
         err = sim_show_draw(&out->shown, NULL, o->show, &at.scene, &at.camera, &out->config, 1.0);
     if (o->explain && piece == NULL)
         (void)sim_explain(scene->name, &at.scene, &at.camera, &out->config, 1.0);
     const int wrong = err == ZS_OK && o->compare && compare(out, scene, &at) != SIM_OK;
-    if (err == ZS_OK && !wrong && (o->compare || !has_levels(o) || through_panel(out, scene, o) == SIM_OK))
+    if (err == ZS_OK && !wrong &&
+        (o->compare || !has_levels(o) || through_panel(out, scene, o) == SIM_OK))
         return SIM_OK;
     sim_render_free(out);
     return err == ZS_OK ? SIM_REFUSED
                         : sim_refuse(scene->name, 0, "%s",
-                                     err == SIM_FRAME_BROKEN ? "its frame could not be drawn" : zs_error_string(err));
+                                     err == SIM_FRAME_BROKEN ? "its frame could not be drawn"
+                                                             : zs_error_string(err));
 }

@@ -1,9 +1,11 @@
 # The simulator in a page
 #
-# engine.wasm: the renderer, the demo scenes and what of zsim a page needs, by clang for WebAssembly with a small C library
+# engine.wasm: the renderer, the demo scenes and what of zsim a page needs, by clang for WebAssembly with a small C
+# library
 
 WEB_SIM = $(wildcard $(patsubst %,sim/%/*.c,effect frame compare reference panel panel_model web)) \
-          $(addprefix sim/cli/,accelerator_names.c option_help.c option_table.c render.c render_options.c sim.c value.c) \
+          $(addprefix sim/cli/,accelerator_names.c option_help.c option_table.c render.c render_options.c sim.c \
+              value.c) \
           $(addprefix sim/load/,losses.c model_shape.c picture.c) \
           $(addprefix sim/convert/,cluster.c convert_options.c convert_write.c converted.c grid_step.c hierarchy.c \
               mesh_pieces.c palette.c quantise.c resample.c scene_parts.c simplify.c \
@@ -13,11 +15,13 @@ WEB_SIM = $(wildcard $(patsubst %,sim/%/*.c,effect frame compare reference panel
           firmware/scenes/gen/font.c
 # meshoptimizer: the source of the library that zsim is linked with, so that models get the same meshes
 MESHOPT = $(B)/web/meshoptimizer/source/src
-MESHOPT_O = $(patsubst %,$(B)/web/meshopt_%.o,allocator clusterizer indexgenerator simplifier vcacheanalyzer vfetchoptimizer)
-WEB_CC = clang --target=wasm32-wasi -std=gnu11 -O3 -DNDEBUG $(INC) -Isim/web/include -Isim/web -I$(MESHOPT) -include web_system.h \
-         -DZS_STATS=1 -DZS_VARYINGS_MAX=8
+MESHOPT_O = $(patsubst %,$(B)/web/meshopt_%.o,allocator clusterizer indexgenerator simplifier vcacheanalyzer \
+              vfetchoptimizer)
+WEB_CC = clang --target=wasm32-wasi -std=gnu11 -O3 -DNDEBUG $(INC) -Isim/web/include -Isim/web -I$(MESHOPT) \
+         -include web_system.h -DZS_STATS=1 -DZS_VARYINGS_MAX=8
 WEB_NOTE := $(call note,$(B)/web/cc,$(WEB_CC))
-WEB_O = $(patsubst %.c,$(B)/web/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(filter-out sim/frame/moving_picture.c,$(WEB_SIM)))
+WEB_O = $(patsubst %.c,$(B)/web/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) \
+              $(filter-out sim/frame/moving_picture.c,$(WEB_SIM)))
 
 $(MESHOPT)/meshoptimizer.h:
 	@.ci/source meshoptimizer libmeshoptimizer-dev $(B)/web/meshoptimizer

@@ -11,7 +11,8 @@
 
 struct web_wrong {
     uint32_t missing, extra; /* drawn by the reference alone; by the renderer alone */
-    uint32_t color, near;    /* drawn by both: a channel is more than one step of RGB565 off; one step */
+    uint32_t color,
+        near; /* drawn by both: a channel is more than one step of RGB565 off; one step */
 };
 
 /* The frame, darkened, with red where a pixel is missing, yellow where there is one too many, magenta where its colour

@@ -2,10 +2,12 @@
 // Usage: node tests/web/engine.mjs ENGINE.WASM ZSIM WORKDIR    from the repository's top
 //
 // SPDX-License-Identifier: MIT
-import { spawnSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
-import { createEngine } from '../../sim/web/engine.js';
-import { readPng, writePng } from './png.mjs';
+import {spawnSync} from 'node:child_process';
+import {readFileSync, writeFileSync} from 'node:fs';
+
+import {createEngine} from '../../sim/web/engine.js';
+
+import {readPng, writePng} from './png.mjs';
 
 const [wasm, zsim, work] = process.argv.slice(2);
 const engine = await createEngine(readFileSync(wasm));
@@ -15,7 +17,8 @@ function test(name, run) {
     const wrong = [];
     try {
         run((what, is, be) => {
-            if (JSON.stringify(is) !== JSON.stringify(be)) wrong.push(`${what}: ${JSON.stringify(is)}, not ${JSON.stringify(be)}`);
+            if (JSON.stringify(is) !== JSON.stringify(be))
+                wrong.push(`${what}: ${JSON.stringify(is)}, not ${JSON.stringify(be)}`);
         });
     } catch (error) {
         wrong.push(String(error.stack).split('\n').slice(0, 3).join(' '));
@@ -27,12 +30,12 @@ function test(name, run) {
 /** Options that are set are these alone. */
 function configure(options) {
     const none = Object.fromEntries(engine.options().map((one) => [one.name, undefined]));
-    return engine.configure({ ...none, ...options });
+    return engine.configure({...none, ...options});
 }
 
 function run(...words) {
-    const { status, stdout, stderr } = spawnSync(zsim, words, { encoding: 'utf8' });
-    return { status, stdout, stderr };
+    const {status, stdout, stderr} = spawnSync(zsim, words, {encoding: 'utf8'});
+    return {status, stdout, stderr};
 }
 
 /** The same as fnv1a of firmware/app/checksums.c, of 16-bit values with their high bytes first. */
@@ -53,45 +56,59 @@ function sum(values) {
 
 // ---- Scenes: what every board draws, whatever strips and pools
 
-const record = ['scenes', 'pieces'].flatMap((name) => readFileSync(`tests/records/${name}.txt`, 'utf8').trim().split('\n'));
+const record =
+    [ 'scenes', 'pieces' ].flatMap((name) => readFileSync(`tests/records/${name}.txt`, 'utf8').trim().split('\n'));
 test('web_engine_scenes', (is) => {
-    const ways = [{ strip: 24 }, { strip: 7, buffers: 1 }, { strip: 16, maxTriangles: 400, maxVertices: 600 },
-        { strip: 240, fast: 'none' }];
+    const ways = [
+        {strip: 24}, {strip: 7, buffers: 1}, {strip: 16, maxTriangles: 400, maxVertices: 600},
+        {strip: 240, fast: 'none'}
+    ];
     const known = new Set(engine.scenes().map((one) => one.name));
-    is('scenes on record', [...new Set(record.map((line) => line.split(' ')[0]))].filter((name) => !known.has(name)), []);
-    is('scenes not on record', [...known].filter((name) => !record.some((line) => line.startsWith(name + ' '))), []);
+    is('scenes on record', [...new Set(record.map((line) => line.split(' ')[0])) ].filter((name) => !known.has(name)),
+        []);
+    is('scenes not on record', [...known ].filter((name) => !record.some((line) => line.startsWith(name + ' '))), []);
     record.forEach((line, i) => {
         const [name, frame, bits, pixels, keys] = line.split(' ');
-        const sorted = name === 'stilllife' || name === 'cockpit' || name === 'forest'; // what is sorted needs its pool
-        const way = sorted ? { strip: 24 } : ways[i % ways.length];
-        is(`${name} with ${JSON.stringify(way)}`, [configure(way), engine.setScene(name)].map((one) => one.error), ['', '']);
-        is(`${name} bits`, engine.configure({ subpixel: bits }).error, '');
+        const sorted =
+            name === 'stilllife' || name === 'cockpit' || name === 'forest';  // what is sorted needs its pool
+        const way = sorted ? {strip: 24} : ways[i % ways.length];
+        is(`${name} with ${JSON.stringify(way)}`, [ configure(way), engine.setScene(name) ].map((one) => one.error),
+            [ '', '' ]);
+        is(`${name} bits`, engine.configure({subpixel: bits}).error, '');
         engine.setTime(Number(frame));
         const drawn = engine.render();
-        is(`${name} ${frame} ${bits}`, [drawn.error, sum(drawn.pixels), sum(drawn.depth)], ['', pixels, keys]);
+        is(`${name} ${frame} ${bits}`, [ drawn.error, sum(drawn.pixels), sum(drawn.depth) ], [ '', pixels, keys ]);
     });
 });
 
 // ---- Models: pixels and keys of zsim render
 
 /** OBJ text and what setModel takes for it: a ring of quads with normals, texture coordinates and two materials. */
-function ring(across, around, { normals, uvs, materials }) {
-    const lines = [], corner = [], model = { positions: [], indices: [], normals: [], uvs: [], triMaterial: [] };
+function ring(across, around, {normals, uvs, materials}) {
+    const lines = [], corner = [], model = {positions: [], indices: [], normals: [], uvs: [], triMaterial: []};
     for (let i = 0; i < across; i++)
         for (let j = 0; j < around; j++) {
-            const a = 2 * Math.PI * i / across, b = 2 * Math.PI * j / around, r = 1 + 0.4 * Math.cos(b) + 0.05 * Math.sin(5 * a + 3 * b);
+            const a = 2 * Math.PI * i / across, b = 2 * Math.PI * j / around,
+                  r = 1 + 0.4 * Math.cos(b) + 0.05 * Math.sin(5 * a + 3 * b);
             const round = (v) => v.map((x) => Number(x.toFixed(7)));
-            const one = { v: round([r * Math.cos(a), 0.4 * Math.sin(b), r * Math.sin(a)]), vt: round([3 * i / across, j / around]),
-                vn: round([Math.cos(b) * Math.cos(a), Math.sin(b), Math.cos(b) * Math.sin(a)]) };
+            const one = {
+                v: round([ r * Math.cos(a), 0.4 * Math.sin(b), r * Math.sin(a) ]),
+                vt: round([ 3 * i / across, j / around ]),
+                vn: round([ Math.cos(b) * Math.cos(a), Math.sin(b), Math.cos(b) * Math.sin(a) ])
+            };
             corner.push(one);
-            for (const kind of ['v', ...(uvs ? ['vt'] : []), ...(normals ? ['vn'] : [])]) lines.push(`${kind} ${one[kind].join(' ')}`);
+            for (const kind of ['v', ...(uvs ? [ 'vt' ] : []), ...(normals ? [ 'vn' ] : [])])
+                lines.push(`${kind} ${one[kind].join(' ')}`);
         }
     if (materials) lines.unshift('mtllib ring.mtl');
     for (let i = 0; i < across; i++) {
         if (materials && i % (across / 2) === 0) lines.push(`usemtl ${i === 0 ? 'red' : 'picture'}`);
         for (let j = 0; j < around; j++) {
-            const at = (p, q) => p % across * around + q % around, face = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
-            lines.push('f ' + face.map((n) => `${n + 1}${uvs || normals ? '/' : ''}${uvs ? n + 1 : ''}${normals ? `/${n + 1}` : ''}`).join(' '));
+            const at = (p, q) => p % across * around + q % around,
+                  face = [ at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j) ];
+            lines.push('f ' +
+                face.map((n) => `${n + 1}${uvs || normals ? '/' : ''}${uvs ? n + 1 : ''}${normals ? `/${n + 1}` : ''}`)
+                    .join(' '));
             for (const n of [face[0], face[1], face[2], face[0], face[2], face[3]]) model.indices.push(n);
             model.triMaterial.push(i < across / 2 ? 0 : 1, i < across / 2 ? 0 : 1);
         }
@@ -103,84 +120,125 @@ function ring(across, around, { normals, uvs, materials }) {
     }
     return {
         text: lines.join('\n') + '\n',
-        model: { name: 'ring.obj', positions: Float64Array.from(model.positions), indices: Uint32Array.from(model.indices),
-            normals: normals ? Float32Array.from(model.normals) : undefined, uvs: uvs ? Float64Array.from(model.uvs) : undefined,
-            triMaterial: materials ? Uint32Array.from(model.triMaterial) : undefined, ...(materials ?? {}) },
+        model: {
+            name: 'ring.obj',
+            positions: Float64Array.from(model.positions),
+            indices: Uint32Array.from(model.indices),
+            normals: normals ? Float32Array.from(model.normals) : undefined,
+            uvs: uvs ? Float64Array.from(model.uvs) : undefined,
+            triMaterial: materials ? Uint32Array.from(model.triMaterial) : undefined,
+            ...(materials ?? {})
+        },
     };
 }
 
-const side = 24, rgb = Uint8Array.from({ length: 3 * side * side }, (_, i) => (i * 37 ^ i >> 5) & 255);
-const rgba = Uint8Array.from({ length: 4 * side * side }, (_, i) => (i % 4 === 3 ? 255 : rgb[3 * (i >> 2) + i % 4]));
+const side = 24, rgb = Uint8Array.from({length: 3 * side * side}, (_, i) => (i * 37 ^ i >> 5) & 255);
+const rgba = Uint8Array.from({length: 4 * side * side}, (_, i) => (i % 4 === 3 ? 255 : rgb[3 * (i >> 2) + i % 4]));
 writeFileSync(`${work}/picture.png`, writePng(side, side, rgb));
-writeFileSync(`${work}/ring.mtl`, 'newmtl red\nKd 0.9 0.2 0.1\nKs 0.5 0.5 0.5\nNs 20\nnewmtl picture\nKd 0.8 1 0.7\nmap_Kd picture.png\n');
+writeFileSync(`${work}/ring.mtl`,
+    'newmtl red\nKd 0.9 0.2 0.1\nKs 0.5 0.5 0.5\nNs 20\nnewmtl picture\nKd 0.8 1 0.7\nmap_Kd picture.png\n');
 const looks = {
-    materials: [{ name: 'red', color: [0.9, 0.2, 0.1], specular: [0.5, 0.5, 0.5], power: 20 },
-        { name: 'picture', color: [0.8, 1, 0.7], texture: 0, textureFactor: [0.8, 1, 0.7] }],
-    textures: [{ name: 'picture.png', width: side, height: side, rgba }],
+    materials: [
+        {name: 'red', color: [ 0.9, 0.2, 0.1 ], specular: [ 0.5, 0.5, 0.5 ], power: 20},
+        {name: 'picture', color: [ 0.8, 1, 0.7 ], texture: 0, textureFactor: [ 0.8, 1, 0.7 ]}
+    ],
+    textures: [ {name: 'picture.png', width: side, height: side, rgba} ],
 };
 
 const picture = () => {
-    const { width, height } = engine.pictureSize(), out = new Uint8Array(4 * width * height);
+    const {width, height} = engine.pictureSize(), out = new Uint8Array(4 * width * height);
     engine.rgba(out);
-    return { width, height, rgb: out.filter((_, i) => i % 4 !== 3) };
+    return {width, height, rgb: out.filter((_, i) => i % 4 !== 3)};
 };
 const differ = (a, b) => (a.length !== b.length ? -1 : a.reduce((n, v, i) => n + (v !== b[i]), 0));
 
-const NAMES = { size: null, tris: 'maxTriangles', verts: 'maxVertices', depth: 'depthMapping', show: 'falseColors' };
+const NAMES = {
+    size: null,
+    tris: 'maxTriangles',
+    verts: 'maxVertices',
+    depth: 'depthMapping',
+    show: 'falseColors'
+};
 function asOptions(words) {
     const out = {};
     for (const word of words) {
         const [name, value] = word.slice(2).split('=');
-        if (name === 'size') [out.width, out.height] = value.split('x').map(Number);
-        else out[NAMES[name] ?? name.replace(/-(.)/g, (_, c) => c.toUpperCase())] = value ?? true;
+        if (name === 'size')
+            [out.width, out.height] = value.split('x').map(Number);
+        else
+            out[NAMES[name] ?? name.replace(/-(.)/g, (_, c) => c.toUpperCase())] = value ?? true;
     }
     return out;
 }
 
 const models = [
-    ['plain', {}, [[], ['--shade=smooth', '--samples=4'], ['--method=painter'], ['--tris=50', '--strip=5'], ['--style=hidden-line'],
-        ['--show=overdraw'], ['--simplify=200'], ['--panel=ssd1306:128x64']]],
-    ['normals', { normals: true }, [[], ['--shade=flat', '--depth=linear', '--size=100x80'], ['--eye=0.1,0.5,1.2', '--near=0.3'],
-        ['--mesh=file', '--subpixel=4', '--depth-bits=8'], ['--projection=orthographic'], ['--fog=linear:1:4:203040']]],
-    ['textured', { normals: true, uvs: true, materials: looks }, [[], ['--texture-format=pal4'], ['--shade=unlit', '--wrap=clamp'],
-        ['--filter=bilinear', '--shade=textured'], ['--color=4080c0']]],
+    [
+        'plain', {},
+        [
+            [], [ '--shade=smooth', '--samples=4' ], [ '--method=painter' ], [ '--tris=50', '--strip=5' ],
+            [ '--style=hidden-line' ], [ '--show=overdraw' ], [ '--simplify=200' ], [ '--panel=ssd1306:128x64' ]
+        ]
+    ],
+    [
+        'normals', {normals: true},
+        [
+            [], [ '--shade=flat', '--depth=linear', '--size=100x80' ], [ '--eye=0.1,0.5,1.2', '--near=0.3' ],
+            [ '--mesh=file', '--subpixel=4', '--depth-bits=8' ], [ '--projection=orthographic' ],
+            [ '--fog=linear:1:4:203040' ]
+        ]
+    ],
+    [
+        'textured', {normals: true, uvs: true, materials: looks},
+        [
+            [], [ '--texture-format=pal4' ], [ '--shade=unlit', '--wrap=clamp' ],
+            [ '--filter=bilinear', '--shade=textured' ], [ '--color=4080c0' ]
+        ]
+    ],
 ];
 for (const [name, what, cases] of models)
     test(`web_engine_model_${name}`, (is) => {
-        const { text, model } = ring(48, 20, what);
+        const {text, model} = ring(48, 20, what);
         writeFileSync(`${work}/ring.obj`, text);
         configure({});
         is('setModel', engine.setModel(model).error, '');
         for (const words of cases) {
             const made = run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, ...words);
             const said = configure(asOptions(words)).error, drawn = engine.render();
-            is(`${words}: refusals`, [made.status, said, drawn.error], [0, '', '']);
+            is(`${words}: refusals`, [ made.status, said, drawn.error ], [ 0, '', '' ]);
             const want = readPng(readFileSync(`${work}/ring.png`)), got = picture();
-            is(`${words}: size`, [got.width, got.height], [want.width, want.height]);
+            is(`${words}: size`, [ got.width, got.height ], [ want.width, want.height ]);
             is(`${words}: pixels that differ`, differ(got.rgb, want.rgb), 0);
             is(`${words}: something is drawn`, new Set(drawn.pixels).size > 1, true);
         }
-        const made = run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, '--depth-out', `${work}/ring.pgm`, '--stats', `${work}/ring.json`);
+        const made = run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, '--depth-out', `${work}/ring.pgm`,
+            '--stats', `${work}/ring.json`);
         configure({});
-        const drawn = engine.render(), pgm = readFileSync(`${work}/ring.pgm`), keys = pgm.subarray(pgm.length - 2 * 240 * 240);
+        const drawn = engine.render(), pgm = readFileSync(`${work}/ring.pgm`),
+              keys = pgm.subarray(pgm.length - 2 * 240 * 240);
         is('depth-out', made.status, 0);
-        is('keys that differ', differ([...drawn.depth], Array.from({ length: 240 * 240 }, (_, i) => keys.readUInt16BE(2 * i))), 0);
+        is('keys that differ',
+            differ([...drawn.depth ], Array.from({length: 240 * 240}, (_, i) => keys.readUInt16BE(2 * i))), 0);
         const stats = JSON.parse(readFileSync(`${work}/ring.json`, 'utf8'));
-        for (const key of ['triangles_drawn', 'pixels_tested', 'passes', 'arena_bytes', 'rejected_facing']) is(key, drawn.stats[key], stats[key]);
+        for (const key of ['triangles_drawn', 'pixels_tested', 'passes', 'arena_bytes', 'rejected_facing'])
+            is(key, drawn.stats[key], stats[key]);
     });
 
 test('web_engine_single', (is) => {
-    const { model } = ring(48, 20, {}), far = Float32Array.from(model.positions, (v, i) => Math.round(200 * v) / 10 + (i % 3 === 0 ? 300 : 0)); // tenths, which single precision has not
-    const rows = (n, of) => Array.from({ length: n }, (_, i) => of(i)).join('\n');
-    writeFileSync(`${work}/ring.ply`, `ply\nformat ascii 1.0\nelement vertex ${far.length / 3}\nproperty float x\nproperty float y\n` +
-        `property float z\nelement face ${model.indices.length / 3}\nproperty list uchar int vertex_indices\nend_header\n` +
-        rows(far.length / 3, (i) => far.slice(3 * i, 3 * i + 3).join(' ')) + '\n' +
-        rows(model.indices.length / 3, (i) => `3 ${model.indices.slice(3 * i, 3 * i + 3).join(' ')}`) + '\n');
+    const {model} = ring(48, 20, {}),
+          far = Float32Array.from(model.positions,
+              (v, i) => Math.round(200 * v) / 10 + (i % 3 === 0 ? 300 : 0));  // tenths, which single precision has not
+    const rows = (n, of) => Array.from({length: n}, (_, i) => of(i)).join('\n');
+    writeFileSync(`${work}/ring.ply`,
+        `ply\nformat ascii 1.0\nelement vertex ${far.length / 3}\nproperty float x\nproperty float y\n` +
+            `property float z\nelement face ${
+                model.indices.length / 3}\nproperty list uchar int vertex_indices\nend_header\n` +
+            rows(far.length / 3, (i) => far.slice(3 * i, 3 * i + 3).join(' ')) + '\n' +
+            rows(model.indices.length / 3, (i) => `3 ${model.indices.slice(3 * i, 3 * i + 3).join(' ')}`) + '\n');
     configure({});
-    is('setModel', engine.setModel({ ...model, name: 'ring.ply', positions: far }).error, '');
-    for (const words of [[], ['--precise', '--shade=smooth'], ['--mesh=file']]) {
+    is('setModel', engine.setModel({...model, name: 'ring.ply', positions: far}).error, '');
+    for (const words of [[], [ '--precise', '--shade=smooth' ], [ '--mesh=file' ]]) {
         const made = run('render', `${work}/ring.ply`, '--out', `${work}/ring.png`, ...words);
-        is(`${words}: refusals`, [made.status, configure(asOptions(words)).error], [0, '']);
+        is(`${words}: refusals`, [ made.status, configure(asOptions(words)).error ], [ 0, '' ]);
         engine.render();
         is(`${words}: pixels that differ`, differ(picture().rgb, readPng(readFileSync(`${work}/ring.png`)).rgb), 0);
     }
@@ -188,41 +246,54 @@ test('web_engine_single', (is) => {
 
 // ---- Sentences
 
-const ending = (stderr) => stderr.trim().split('\n').at(-1).replace(/^zsim: /, '').replace(/; see zsim --help$/, '').replace(/^.*ring\.obj: /, '');
+const ending = (stderr) => stderr.trim()
+                               .split('\n')
+                               .at(-1)
+                               .replace(/^zsim: /, '')
+                               .replace(/; see zsim --help$/, '')
+                               .replace(/^.*ring\.obj: /, '');
 test('web_engine_refusals', (is) => {
-    const { text, model } = ring(12, 8, {});
+    const {text, model} = ring(12, 8, {});
     writeFileSync(`${work}/ring.obj`, text);
     configure({});
     engine.setModel(model);
     const before = sum(engine.render().pixels);
-    for (const words of [['--strip=0'], ['--depth-bits=99'], ['--depth=deep'], ['--near=5', '--far=2'], ['--shade=textured'],
-        ['--method=painter', '--depth=linear'], ['--projection=orthographic', '--depth=recip'], ['--panel=none:1x1'],
-        ['--eye=0,0,0', '--at=0,0,0'], ['--filter=bilinear'], ['--simplify=many']]) {
-        const made = run('render', `${work}/ring.obj`, '--out', `${work}/none.png`, ...words), answer = configure(asOptions(words));
-        is(`${words}: refused`, [answer.ok, made.status > 0], [false, true]);
+    for (const words of [[ '--strip=0' ], [ '--depth-bits=99' ], [ '--depth=deep' ], [ '--near=5', '--far=2' ],
+             [ '--shade=textured' ], [ '--method=painter', '--depth=linear' ],
+             [ '--projection=orthographic', '--depth=recip' ], [ '--panel=none:1x1' ], [ '--eye=0,0,0', '--at=0,0,0' ],
+             [ '--filter=bilinear' ], [ '--simplify=many' ]]) {
+        const made = run('render', `${work}/ring.obj`, '--out', `${work}/none.png`, ...words),
+              answer = configure(asOptions(words));
+        is(`${words}: refused`, [ answer.ok, made.status > 0 ], [ false, true ]);
         is(`${words}`, answer.error.replace(/^(ring\.obj|model): /, ''), ending(made.stderr));
         is(`${words}: no option changes`, engine.options().filter((one) => one.value !== undefined), []);
         is(`${words}: nothing changes`, sum(engine.render().pixels), before);
     }
-    is('no model', engine.setModel({ name: 'none.obj', positions: new Float64Array(9), indices: new Uint32Array(0) }).error,
+    is('no model',
+        engine.setModel({name: 'none.obj', positions: new Float64Array(9), indices: new Uint32Array(0)}).error,
         'none.obj: no faces in it; zsim draws polygons');
-    is('an index', engine.setModel({ ...model, indices: Uint32Array.from([0, 1, 999]) }).error,
+    is('an index', engine.setModel({...model, indices: Uint32Array.from([ 0, 1, 999 ])}).error,
         'ring.obj: vertex index 999 of face 1 is out of range: 96 exist');
-    is('a number', engine.setModel({ ...model, positions: model.positions.map((v, i) => (i === 4 ? NaN : v)) }).ok, false);
+    is('a number', engine.setModel({...model, positions: model.positions.map((v, i) => (i === 4 ? NaN : v))}).ok,
+        false);
     is('what was there stays', sum(engine.render().pixels), before);
     is('no scene', engine.setScene('nowhere').error, "there is no scene 'nowhere'");
 });
 
 test('web_engine_explain', (is) => {
-    const { text, model } = ring(12, 8, {});
+    const {text, model} = ring(12, 8, {});
     writeFileSync(`${work}/ring.obj`, text);
     configure({});
     engine.setModel(model);
     is('nothing is wrong', engine.explain(), []);
-    for (const words of [['--near=100'], ['--cull=front', '--eye=0,9,0', '--up=0,0,1', '--at=0,0,0'], ['--eye=0,0,9', '--at=0,0,20']]) {
+    for (const words of [[ '--near=100' ], [ '--cull=front', '--eye=0,9,0', '--up=0,0,1', '--at=0,0,0' ],
+             [ '--eye=0,0,9', '--at=0,0,20' ]]) {
         const made = run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, '--explain', ...words);
         is(`${words}: drawn`, configure(asOptions(words)).error, '');
-        const want = made.stderr.trim().split('\n').filter((line) => line !== '').map((line) => line.replace(/^.*ring\.obj: /, ''));
+        const want = made.stderr.trim()
+                         .split('\n')
+                         .filter((line) => line !== '')
+                         .map((line) => line.replace(/^.*ring\.obj: /, ''));
         is(`${words}`, engine.explain(), want);
     }
 });
@@ -230,10 +301,11 @@ test('web_engine_explain', (is) => {
 // ---- Figures and files
 
 test('web_engine_budget', (is) => {
-    configure({ panel: 'st7789:240x240', strip: 24 });
+    configure({panel: 'st7789:240x240', strip: 24});
     engine.setScene('teapot');
     const part = engine.parts().find((one) => one.name === 'stm32f405');
-    const csv = run('budget', '--scene', 'teapot', '--panel', 'st7789:240x240', '--strip', '24', '--part', 'stm32f405', '--csv').stdout;
+    const csv = run('budget', '--scene', 'teapot', '--panel', 'st7789:240x240', '--strip', '24', '--part', 'stm32f405',
+        '--csv').stdout;
     const figure = Object.fromEntries(csv.trim().split('\n').map((line) => line.split(',').slice(0, 2)));
     is('RAM', part.ramUsed, Number(figure.ram));
     is('flash', part.flashUsed, Number(figure.flash));
@@ -242,44 +314,50 @@ test('web_engine_budget', (is) => {
     is('pools', engine.ram().pools.reduce((n, one) => n + one.bytes, 0), Number(figure.ram));
     is('parts', engine.parts().length > 10, true);
     is('the small one is too small', engine.parts().find((one) => one.name === 'nrf51822').ramFits, false);
-    engine.configure({ method: 'painter', width: 200, height: 100, panel: undefined });
-    is('what was not measured', [engine.parts()[0].fps, engine.parts()[0].why !== undefined], [null, true]);
+    engine.configure({method: 'painter', width: 200, height: 100, panel: undefined});
+    is('what was not measured', [ engine.parts()[0].fps, engine.parts()[0].why !== undefined ], [ null, true ]);
     configure({});
     engine.setScene('cockpit');
-    is('effects', [engine.parts()[0].fps, engine.ram().total > 10000], [null, true]);
+    is('effects', [ engine.parts()[0].fps, engine.ram().total > 10000 ], [ null, true ]);
 });
 
 test('web_engine_files', (is) => {
-    const { text, model } = ring(12, 8, { normals: true });
+    const {text, model} = ring(12, 8, {normals: true});
     writeFileSync(`${work}/ring.obj`, text);
-    configure({ shade: 'smooth', color: '4080c0' });
-    engine.setModel({ ...model, materials: [{ name: 'DefaultMaterial' }] }); // the name that the loader of zsim makes up
-    const made = run('convert', `${work}/ring.obj`, '--name', 'thing', '--out', work, '--color=4080c0', '--shade=smooth');
+    configure({shade: 'smooth', color: '4080c0'});
+    engine.setModel(
+        {...model, materials: [ {name: 'DefaultMaterial'} ]});  // the name that the loader of zsim makes up
+    const made =
+        run('convert', `${work}/ring.obj`, '--name', 'thing', '--out', work, '--color=4080c0', '--shade=smooth');
     const files = engine.files('thing');
     is('status', made.status, 0);
     const body = (source) => source.replace(/^.*Made by:.*$/m, '');
-    for (const end of ['thing.c', 'thing.h']) is(end, body(files[end]) === body(readFileSync(`${work}/${end}`, 'utf8')), true);
+    for (const end of ['thing.c', 'thing.h'])
+        is(end, body(files[end]) === body(readFileSync(`${work}/${end}`, 'utf8')), true);
 });
 
 test('web_engine_wrong', (is) => {
-    const { text, model } = ring(48, 20, {});
+    const {text, model} = ring(48, 20, {});
     writeFileSync(`${work}/ring.obj`, text);
     configure({});
     engine.setModel(model);
-    is('compare', run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, '--compare', '--stats', `${work}/ring.json`).status, 0);
+    is('compare',
+        run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, '--compare', '--stats', `${work}/ring.json`)
+            .status,
+        0);
     const stats = JSON.parse(readFileSync(`${work}/ring.json`, 'utf8'));
-    is('drawn', configure({ falseColors: 'wrong' }).error, '');
+    is('drawn', configure({falseColors: 'wrong'}).error, '');
     const own = engine.render().stats;
-    is('missing and extra', [own.wrong_missing, own.wrong_extra], [stats.compare_missing, stats.compare_extra]);
+    is('missing and extra', [ own.wrong_missing, own.wrong_extra ], [ stats.compare_missing, stats.compare_extra ]);
     engine.setScene('corridor');
     const right = engine.render().stats;
     is('the depth buffer is right', right.wrong_color + right.wrong_missing + right.wrong_extra < 30, true);
-    is('the painter', configure({ method: 'painter', falseColors: 'wrong' }).error, '');
+    is('the painter', configure({method: 'painter', falseColors: 'wrong'}).error, '');
     is('is not', engine.render().stats.wrong_color > 1000, true);
-    const { rgb } = picture();
+    const {rgb} = picture();
     const marks = rgb.filter((v, i) => i % 3 === 0 && v === 255 && rgb[i + 1] === 64 && rgb[i + 2] === 255).length;
     is('as many are marked', marks, engine.render().stats.wrong_color);
-    configure({ falseColors: 'wrong' });
+    configure({falseColors: 'wrong'});
     is('a scene', engine.setScene('knot').error, '');
     is('nearly none', engine.render().stats.wrong_missing < 20, true);
     is('effects', engine.setScene('cockpit').error, 'cockpit: effects have no reference; choose a scene without');
@@ -288,20 +366,21 @@ test('web_engine_wrong', (is) => {
 // ---- Orbit and speed
 
 test('web_engine_orbit', (is) => {
-    const { model } = ring(12, 8, {});
+    const {model} = ring(12, 8, {});
     configure({});
     engine.setModel(model);
     const home = sum(engine.render().pixels);
-    const { text } = ring(12, 8, {});
+    const {text} = ring(12, 8, {});
     writeFileSync(`${work}/ring.obj`, text);
-    is('stats', run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, '--stats', `${work}/ring.json`).status, 0);
-    const view = JSON.parse(readFileSync(`${work}/ring.json`, 'utf8')), axes = ['x', 'y', 'z'];
+    is('stats', run('render', `${work}/ring.obj`, '--out', `${work}/ring.png`, '--stats', `${work}/ring.json`).status,
+        0);
+    const view = JSON.parse(readFileSync(`${work}/ring.json`, 'utf8')), axes = [ 'x', 'y', 'z' ];
     const eye = axes.map((k) => view[`eye_${k}`]), at = axes.map((k) => view[`at_${k}`]);
-    const [x, y, z] = eye.map((v, k) => 1.5 * (v - at[k])), [c, s] = [Math.cos(0.7), Math.sin(0.7)];
+    const [x, y, z] = eye.map((v, k) => 1.5 * (v - at[k])), [ c, s ] = [ Math.cos(0.7), Math.sin(0.7) ];
     engine.orbit(0.7, 0, 1.5);
     const orbited = Array.from(engine.render().pixels);
     engine.orbit(0, 0, 1);
-    configure({ eye: [at[0] + c * x + s * z, at[1] + y, at[2] - s * x + c * z], at });
+    configure({eye: [ at[0] + c * x + s * z, at[1] + y, at[2] - s * x + c * z ], at});
     const placed = Array.from(engine.render().pixels);
     is('about the upright', differ(orbited, placed) < 60, true);
     is('it is another view', sum(orbited) !== home, true);
@@ -313,7 +392,7 @@ test('web_engine_orbit', (is) => {
 });
 
 test('web_engine_speed', (is) => {
-    configure({ width: 240, height: 240 });
+    configure({width: 240, height: 240});
     engine.setScene('teapot');
     let least = Infinity;
     for (let i = 0; i < 96; i++) {
