@@ -1,13 +1,14 @@
 /* The page as a browser shows it: opened from a file, with models dropped into it.
  *
  * Usage: node tests/web/page.mjs PAGE.html FOLDER
- * FOLDER has models, bad.obj, and of each good one MODEL.rgb, the pixels that zsim drew, and MODEL.size, "W H".
+ * FOLDER has models, bad.obj, and of each good one MODEL.png, as zsim drew it.
  *
  * SPDX-License-Identifier: MIT
  */
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser } from './browser.mjs';
+import { readPng } from './png.mjs';
 
 const [page, folder] = process.argv.slice(2);
 const MOST_BYTES = 1500000;
@@ -195,16 +196,12 @@ await test('web_link', async () => {
 async function compare(name, ...others) {
     await take(p, name, ...others);
     same(await p.value(text('error')), '', 'error');
-    const [width, height] = readFileSync(join(folder, `${name}.size`), 'utf8')
-        .trim()
-        .split(' ')
-        .map(Number);
+    const { width, height, rgb: wanted } = readPng(readFileSync(join(folder, `${name}.png`)));
     const got = await p.value(`(() => { ${PIXELS}
         let s = c.width + ' ' + c.height;
         for (let i = 0; i < d.length; i += 4) s += ' ' + (d[i] << 16 | d[i + 1] << 8 | d[i + 2]);
         return s; })()`);
-    const values = got.split(' ').map(Number),
-        wanted = readFileSync(join(folder, `${name}.rgb`));
+    const values = got.split(' ').map(Number);
     same(`${values[0]}x${values[1]}`, `${width}x${height}`, 'size');
     let wrong = 0,
         drawn = 0;

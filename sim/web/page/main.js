@@ -172,10 +172,20 @@ function figures() {
         showParts(parts, app.part, choosePart);
     }
     showStats(got.stats, got.passes);
+    caption(got.stats);
     id('sentences').replaceChildren(...call('explain', []).map((s) => make('li', {}, s)));
     command();
     keepLink();
     document.documentElement.dataset.settled = String(Number(document.documentElement.dataset.settled || 0) + 1);
+}
+/* What false colours mean that have no legend of their own. */
+function caption(s) {
+    const at = id('caption');
+    at.hidden = app.shown !== 'wrong';
+    const n = (name) => (s[name] || 0).toLocaleString('en-US');
+    at.textContent =
+        `Against a renderer in double precision: ${n('wrong_missing')} pixels are missing (red), ${n('wrong_extra')} ` +
+        `too many (yellow), ${n('wrong_color')} of another colour (magenta), ${n('wrong_one_step')} one step off (blue).`;
 }
 const settle = later(140, figures);
 let settledAt = 0;
