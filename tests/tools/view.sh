@@ -268,9 +268,8 @@ press q
 end
 
 begin no_desktop
-DISPLAY='' z view box.obj
-one_line 1 'no window can be opened'
-DISPLAY=:77777 z view box.obj
+unset DISPLAY
+z view box.obj
 one_line 1 'no window can be opened'
 
 begin no_sdl
