@@ -294,7 +294,7 @@ one_line 1 'there is no such scene'
 z view box.obj --strip 0
 one_line 1 'a strip has at least 1 row'
 z view --help
-[ $status -eq 0 ] && grep -q '^  --scene NAME' stdout && grep -q '^  --strip ROWS' stdout && ! grep -q -e --stats stdout ||
+[ $status -eq 0 ] && grep -q '^  --scene NAME' stdout && grep -q '^  --strip ROWS' stdout && ! grep -q '^  --stats' stdout ||
     wrong "help: status $status"
 finish
 [ $n_failed -eq 0 ]
