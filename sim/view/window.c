@@ -72,6 +72,10 @@ static int load(void)
     (void)sdl.SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     (void)sdl.SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
     (void)sdl.SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+    /* without a desktop SDL would draw where nobody sees it */
+    if (getenv("DISPLAY") == NULL && getenv("WAYLAND_DISPLAY") == NULL && getenv("SDL_VIDEODRIVER") == NULL)
+        return sim_refuse(NULL, 0, "no window can be opened: there is no desktop, since neither DISPLAY nor "
+                                   "WAYLAND_DISPLAY is set");
     if (sdl.SDL_Init(SDL_INIT_VIDEO) != 0)
         return sim_refuse(NULL, 0, "no window can be opened: %s; is there a desktop (DISPLAY or WAYLAND_DISPLAY)?",
                           sdl.SDL_GetError());
@@ -115,11 +119,11 @@ int view_window_open(struct view_window **out, const char *title, int w, int h, 
 
 void view_window_close(struct view_window *window)
 {
-    if (window != NULL)
-        sdl.SDL_DestroyWindow(window->window);
+    if (window == NULL)
+        return;
+    sdl.SDL_DestroyWindow(window->window);
     free(window);
-    if (sdl.library != NULL)
-        sdl.SDL_Quit();
+    sdl.SDL_Quit();
 }
 
 uint32_t *view_window_pixels(struct view_window *window, int *w, int *h, int *pitch)

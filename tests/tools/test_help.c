@@ -26,7 +26,6 @@
 #include "sim.h"
 #include "study.h"
 #include "try.h"
-#include "view_command.h"
 
 #define WIDTH 110
 #define OPTIONS_MAX 1024 /* that sources name */
@@ -53,7 +52,6 @@ static const struct command {
 } commands[] = {
     { "zsim try", sim_try, { "none.obj" } },
     { "zsim render", sim_render, { "none.obj", "--out", "none/none.png" } },
-    { "zsim view", sim_view, { "none.obj" } },
     { "zsim convert", sim_convert, { "none.obj", "--name", "a", "--out", "none" } },
     { "zsim demo", sim_demo, { "--scene", "none" } },
     { "zsim gallery", sim_gallery, { "--m3", "none", "none" } },
