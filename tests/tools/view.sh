@@ -144,14 +144,16 @@ case $line in *--eye=*) ;; *) wrong "a drag does not move the eye: $line" ;; esa
 eval "set -- $line"
 shift
 "$zsim" "$@" --stats after.json
-echo "$(angle before.json) $(angle after.json)" | awk '{ exit !(($1 - $4 - 20) ^ 2 < 0.001 && ($2 - $5 - 5) ^ 2 < 0.001 &&
+echo "$(angle before.json) $(angle after.json)" | awk '{
+    exit !(($1 - $4 - 20) ^ 2 < 0.001 && ($2 - $5 - 5) ^ 2 < 0.001 &&
     ($6 / $3 - 1) ^ 2 < 1e-8) }' || wrong "40 and 10 px turn it from $(angle before.json) to $(angle after.json)"
 xdotool mousemove --window "$window" 200 200 click 4 click 4
 written view.png
 eval "set -- $line"
 shift
 "$zsim" "$@" --stats near.json
-echo "$(angle after.json) $(angle near.json)" | awk '{ exit !(($6 / $3 - 0.81) ^ 2 < 1e-8 && ($4 - $1) ^ 2 < 0.001) }' ||
+echo "$(angle after.json) $(angle near.json)" | awk '{
+    exit !(($6 / $3 - 0.81) ^ 2 < 1e-8 && ($4 - $1) ^ 2 < 0.001) }' ||
     wrong "the wheel goes from $(angle after.json) to $(angle near.json)"
 xdotool mousemove --window "$window" 200 200 mousedown 3 mousemove --window "$window" 220 200 mouseup 3
 written view.png
@@ -174,7 +176,11 @@ written view.png
 is "a setting stepped to and back" "$line" "zsim render box.obj --size=64x48 --out=view.png"
 press g k
 written view.png
-case $line in *--size*) wrong "--size stays beside a panel: $line" ;; *--panel=*:*--rotate=90*) ;; *) wrong "$line" ;; esac
+case $line in
+*--size*) wrong "--size stays beside a panel: $line" ;;
+*--panel=*:*--rotate=90*) ;;
+*) wrong "$line" ;;
+esac
 press BackSpace
 
 begin figures_are_budgets
@@ -274,7 +280,8 @@ one_line 1 'no window can be opened'
 
 begin no_sdl
 printf '#include "window.h"\nint main(void)\n{\n    int w, h;\n    return view_desktop_size(&w, &h);\n}\n' >without.c
-gcc -std=gnu11 -Wall -Wextra -Werror -DVIEW_SDL=0 -I"$top/sim/view" -I"$top/sim/cli" without.c "$top/sim/view/window.c" \
+gcc -std=gnu11 -Wall -Wextra -Werror -DVIEW_SDL=0 -I"$top/sim/view" -I"$top/sim/cli" without.c \
+    "$top/sim/view/window.c" \
     "$top/sim/cli/sim.c" -o without || wrong "it does not compile"
 ./without >stdout 2>stderr
 status=$?
@@ -294,7 +301,8 @@ one_line 1 'there is no such scene'
 z view box.obj --strip 0
 one_line 1 'a strip has at least 1 row'
 z view --help
-[ $status -eq 0 ] && grep -q '^  --scene NAME' stdout && grep -q '^  --strip ROWS' stdout && ! grep -q '^  --stats' stdout ||
+[ $status -eq 0 ] && grep -q '^  --scene NAME' stdout && grep -q '^  --strip ROWS' stdout &&
+    ! grep -q '^  --stats' stdout ||
     wrong "help: status $status"
 finish
 [ $n_failed -eq 0 ]

@@ -185,7 +185,8 @@ function caption(s) {
     const n = (name) => (s[name] || 0).toLocaleString('en-US');
     at.textContent =
         `Against a renderer in double precision: ${n('wrong_missing')} pixels are missing (red), ${n('wrong_extra')} ` +
-        `too many (yellow), ${n('wrong_color')} of another colour (magenta), ${n('wrong_one_step')} one step off (blue).`;
+        `too many (yellow), ${n('wrong_color')} of another colour (magenta), ` +
+        `${n('wrong_one_step')} one step off (blue).`;
 }
 const settle = later(140, figures);
 let settledAt = 0;
