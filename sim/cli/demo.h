@@ -9,8 +9,8 @@
 #include "render.h"
 
 /* The picture of one frame of one scene, as the arguments after "demo" say, among which are --scene, --start and
- * --frames 1. Nothing is written. n_frames: of its animation. SIM_OK; SIM_REFUSED, SIM_USAGE, said why. sim_picture_free
- * of its picture. */
+ * --frames 1. Nothing is written. n_frames: of its animation. SIM_OK; SIM_REFUSED, SIM_USAGE, said why.
+ * sim_picture_free of its picture. */
 int sim_demo_seen(struct sim_seen *seen, uint32_t *n_frames, int argc, char **argv);
 
 /* The rows of its table. */

@@ -207,8 +207,8 @@ static void take(struct view_event *event, const SDL_Event *from)
     }
 }
 
-/* Not by SDL_WaitEventTimeout: SDL 2.26 sends the window an event of its own there, and where the window is closed before
- * that arrives, the X server's error ends the program. */
+/* Not by SDL_WaitEventTimeout: SDL 2.26 sends the window an event of its own there, and where the window is closed
+ * before that arrives, the X server's error ends the program. */
 enum view_event_kind view_window_next(struct view_window *window, struct view_event *event, int ms)
 {
     static const struct view_event none;
