@@ -26,6 +26,13 @@ static const char *const after_loading[] = {
     "--style", "--line-width", "--background", "--light", "--ambient", "--diffuse", NULL
 };
 
+/* Options that say the view, light, background or renderer, but not what a model becomes. */
+static const char *const after_converting[] = {
+    "--out",    "--size",   "--strip", "--depth", "--depth-bits", "--subpixel", "--tris",  "--verts",      "--buffers",
+    "--fast",   "--panel",  "--rotate", "--invert", "--bgr",      "--eye",      "--at",    "--up",         "--fov",
+    "--near",   "--far",    "--projection", "--background", "--light", "--ambient", "--diffuse", NULL
+};
+
 /* ---- Pictures ---------------------------------------------------------------------------------------- */
 
 static int draw_scene(struct view_shot *shot, struct sim_seen *seen)
@@ -46,9 +53,34 @@ static int load(struct view_shot *shot, char *by)
     return SIM_OK;
 }
 
+static void drop_kept(struct view_shot *shot)
+{
+    if (shot->kept != NULL)
+        sim_kept_free(shot->kept);
+    free(shot->kept_by);
+    shot->kept_by = NULL;
+}
+
+/* From what `before` has kept, where it is of the same model and words. */
+static int render(struct sim_rendered *r, struct view_shot *shot, struct view_shot *before, int loaded)
+{
+    char *by = view_words_line(&shot->words, "", after_converting);
+    if (before->kept == NULL)
+        before->kept = sim_alloc(1, sizeof *before->kept);
+    if (loaded || before->kept_by == NULL || strcmp(before->kept_by, by) != 0)
+        drop_kept(before);
+    const int status = sim_render_all(r, before->kept, &shot->model, &shot->o);
+    free(before->kept_by);
+    before->kept_by = by;
+    if (status != SIM_OK)
+        drop_kept(before);
+    shot->kept = before->kept;
+    shot->kept_by = before->kept_by;
+    return status;
+}
+
 /* The model of `before` is borrowed where nothing says that it has changed: *loaded is 0 then. */
-static int draw_model(struct view_shot *shot, const struct view_shot *before, struct sim_seen *seen, int reload,
-                      int *loaded)
+static int draw_model(struct view_shot *shot, struct view_shot *before, struct sim_seen *seen, int reload, int *loaded)
 {
     char *argv[VIEW_ARGV_MAX], *by = view_words_line(&shot->words, "", after_loading);
     const int argc = view_words_argv(&shot->words, argv);
@@ -65,7 +97,7 @@ static int draw_model(struct view_shot *shot, const struct view_shot *before, st
     }
     struct sim_rendered r;
     if (status == SIM_OK)
-        status = sim_render_all(&r, NULL, &shot->model, &shot->o);
+        status = render(&r, shot, before, *loaded);
     if (status != SIM_OK)
         return status;
     seen->stats = r.frame.stats;
@@ -109,6 +141,8 @@ void view_shot_free(struct view_shot *shot)
 {
     view_words_free(&shot->words);
     sim_picture_free(&shot->seen.picture);
+    drop_kept(shot);
+    free(shot->kept);
     sim_model_free(&shot->model);
     free(shot->loaded_by);
     memset(shot, 0, sizeof *shot);

@@ -15,6 +15,8 @@ struct view_shot {
     struct sim_options o;    /* of a model: what the words say; points into them */
     struct sim_model model;
     char *loaded_by;         /* the words that the model was loaded by; NULL: none was */
+    struct sim_kept_scene *kept; /* of the model; NULL: none yet */
+    char *kept_by;               /* the words that it was made by; NULL: it is empty */
     enum sim_shade shade;    /* that its file asks for, or the words */
     int shade_chosen;
     uint32_t n_frames;       /* of a scene's animation */

@@ -108,12 +108,12 @@ static int parse(struct sim_options *o, char **words, const char *given, size_t 
 
 /* ---- What is drawn ------------------------------------------------------------------------------ */
 
-static int draw(struct sim_rendered *out, const struct sim_model *model,
+static int draw(struct sim_rendered *out, struct sim_kept_scene *scene, const struct sim_model *model,
                 const struct sim_options *o)
 {
     if (web.name == NULL)
         return sim_refuse(NULL, 0, "there is nothing to draw; choose a scene or a model");
-    return web.scene != NULL ? web_scene_draw(out, web.scene, o) : web_model_draw(out, model, o);
+    return web.scene != NULL ? web_scene_draw(out, web.scene, o) : web_model_draw(out, scene, model, o);
 }
 
 static void keep(struct sim_rendered *drawn)
@@ -126,7 +126,7 @@ static void keep(struct sim_rendered *drawn)
 WEB_EXPORT(render) int web_render(void)
 {
     struct sim_rendered drawn;
-    const int status = draw(&drawn, &web.model, &web.chosen);
+    const int status = draw(&drawn, &web.kept, &web.model, &web.chosen);
     if (status == SIM_OK)
         keep(&drawn);
     return status;
@@ -147,6 +147,7 @@ WEB_EXPORT(scene) int web_scene(const char *name)
         return status;
     }
     keep(&drawn);
+    sim_kept_free(&web.kept);
     sim_model_free(&web.model);
     web.scene = scene;
     web.name = scene->name;
@@ -168,7 +169,7 @@ WEB_EXPORT(configure) int web_configure(const char *given, size_t bytes, int n)
     if (is_model)
         status = web_model_load(&model, &chosen);
     if (status == SIM_OK && web.name != NULL)
-        status = draw(&drawn, &model, &chosen);
+        status = draw(&drawn, NULL, &model, &chosen);
     if (status != SIM_OK) {
         sim_model_free(&model);
         free(words);
@@ -180,6 +181,7 @@ WEB_EXPORT(configure) int web_configure(const char *given, size_t bytes, int n)
     }
     if (web.name != NULL)
         keep(&drawn);
+    sim_kept_free(&web.kept);
     free(web.words);
     web.words = words;
     web.options = o;

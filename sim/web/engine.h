@@ -29,6 +29,7 @@ struct web {
     uint32_t time;            /* frame of a scene's animation */
     struct sim_model model;
     struct sim_options chosen; /* the options, with the shading that was chosen for the model */
+    struct sim_kept_scene kept; /* of that model with these; sim_kept_free where either changes */
     struct sim_rendered drawn; /* the last good frame; width 0: none */
     struct web_wrong wrong;    /* of the last comparison */
 };
@@ -49,8 +50,8 @@ void web_scene_config(struct zs_config *config, const struct demo *scene,
 
 /* The model that was handed over, as options ask for it; *o gets the shading that is chosen. */
 int web_model_load(struct sim_model *model, struct sim_options *o);
-/* Its frame. */
-int web_model_draw(struct sim_rendered *out, const struct sim_model *model,
+/* Its frame. scene may be NULL. */
+int web_model_draw(struct sim_rendered *out, struct sim_kept_scene *scene, const struct sim_model *model,
                    const struct sim_options *o);
 
 #endif

@@ -18,7 +18,7 @@
 static int draw(struct sim_rendered *out, const struct sim_options *o)
 {
     return web.scene != NULL ? web_scene_draw(out, web.scene, o)
-                             : web_model_draw(out, &web.model, o);
+                             : web_model_draw(out, NULL, &web.model, o);
 }
 
 /* The pools that a frame takes, which is all that is known of effects. */

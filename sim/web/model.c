@@ -136,14 +136,14 @@ static int turn(struct sim_options *o, const struct sim_model *model, const stru
     return SIM_OK;
 }
 
-int web_model_draw(struct sim_rendered *out, const struct sim_model *model,
+int web_model_draw(struct sim_rendered *out, struct sim_kept_scene *scene, const struct sim_model *model,
                    const struct sim_options *o)
 {
     struct sim_options turned = *o;
     struct sim_original original;
     int status = turn(&turned, model, &web.orbit);
     if (status == SIM_OK)
-        status = sim_render_all(out, NULL, model, &turned);
+        status = sim_render_all(out, scene, model, &turned);
     if (status != SIM_OK || !o->compare)
         return status;
     status = sim_original_render(&original, model, &out->view, &turned);
@@ -170,7 +170,7 @@ WEB_EXPORT(model_end) int web_model_end(int up_z, int single)
     web.orbit = (struct web_orbit){ 0.0, 0.0, 1.0 };
     int status = has_images(&kept) ? web_model_load(&model, &o) : SIM_REFUSED;
     if (status == SIM_OK)
-        status = web_model_draw(&drawn, &model, &o);
+        status = web_model_draw(&drawn, NULL, &model, &o);
     if (status != SIM_OK) {
         sim_model_free(&model);
         web_given_free(&kept);
@@ -179,6 +179,7 @@ WEB_EXPORT(model_end) int web_model_end(int up_z, int single)
         return status;
     }
     web_given_free(&before);
+    sim_kept_free(&web.kept);
     sim_model_free(&web.model);
     web.model = model;
     web.scene = NULL;
