@@ -102,7 +102,7 @@ $(CHECKSUMS) $(CHECKSUMS_BARE):
 ## stack: worst-case stack
 ## check: rules on the Cortex-M objects, linking, includes, sizes of files, initialisers, headers in C and C++; stack
 size stack: $(B)/.setup-test $(B)/libcore.a
-	@sh tests/checks/$@.sh $(B)
+	@SIZE_ALL=1 sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test $(B)/gen/meshes.h
 	@for c in objects kernels hal includes shape designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
