@@ -61,6 +61,15 @@ static void drop_kept(struct view_shot *shot)
     shot->kept_by = NULL;
 }
 
+static int is_one_colour(const struct sim_rendered *r)
+{
+    const size_t n = (size_t)r->frame.width * r->frame.height;
+    size_t i = 1;
+    while (i < n && r->frame.rgb565[i] == r->frame.rgb565[0])
+        i++;
+    return i >= n;
+}
+
 /* From what `before` has kept, where it is of the same model and words. */
 static int render(struct sim_rendered *r, struct view_shot *shot, struct view_shot *before, int loaded)
 {
@@ -69,7 +78,13 @@ static int render(struct sim_rendered *r, struct view_shot *shot, struct view_sh
         before->kept = sim_alloc(1, sizeof *before->kept);
     if (loaded || before->kept_by == NULL || strcmp(before->kept_by, by) != 0)
         drop_kept(before);
-    const int status = sim_render_all(r, before->kept, &shot->model, &shot->o);
+    int status = sim_render_all(r, before->kept, &shot->model, &shot->o);
+    if (status == SIM_OK && is_one_colour(r)) { /* once more, to be told why */
+        struct sim_options o = shot->o;
+        sim_render_free(r);
+        o.explain = 1;
+        status = sim_render_all(r, before->kept, &shot->model, &o);
+    }
     free(before->kept_by);
     before->kept_by = by;
     if (status != SIM_OK)

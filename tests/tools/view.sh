@@ -273,6 +273,13 @@ is "command" "$line" "zsim demo --scene=cubes --size=80x60 --out=frames --start=
 press q
 end
 
+begin explains_an_empty_picture
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >away.obj
+open_ away.obj --eye=0,0,-5 --at=0,0,0 --cull=back
+until_ "the reason" words 'triangles face away'
+press q
+end
+
 begin no_desktop
 unset DISPLAY
 z view box.obj
