@@ -52,7 +52,7 @@ $(B)/test/test_explain: private override SAN += -Wl,--wrap=zs_render -Wl,--wrap=
 $(B)/test/test_raycast: $(call t,sim/reference/reference.c sim/reference/rays.c)
 $(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c $(FRAME))
 $(B)/test/test_threads $(B)/test/test_golden $(B)/test/test_pieces $(B)/test/test_lanes: $(call t,$(FRAME))
-$(B)/test/test_pieces: $(call t,sim/frame/piece_frame.c)
+$(B)/test/test_pieces: $(call t,sim/frame/demo_frame.c)
 $(B)/test/tests/tools/test_help.o: TEST_CC += -Isim/lab -Isim/linux
 $(B)/test/test_help: $(call t,tests/tools/test_help.c sim/linux/linux_options.c $(filter-out %/main.c,$(ZLAB))) \
                      $(B)/test/libtest.a $(B)/libmeshes.a

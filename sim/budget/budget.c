@@ -448,12 +448,7 @@ static int report(const struct budget_request *rq)
         return budget_effects(rq, &b);
     if (rq->fit)
         return budget_fit(rq, &b);
-    budget_ram(&b.ram, rq, &b.config, b.n_instances);
-    for (int c = 0; c < BUDGET_CPUS; c++)
-        budget_flash(&b.flash[c], rq, &b, (enum budget_cpu)c);
-    b.has_wire = rq->o.panel.name != NULL;
-    if (b.has_wire)
-        status = budget_wire(&b.wire, rq, &b.config);
+    status = budget_take(&b, rq);
     if (status != SIM_OK)
         return status;
     if (rq->check)

@@ -101,6 +101,9 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
 /* SIM_OK; SIM_REFUSED. Needs rq->o.panel.name. */
 int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const struct zs_config *config);
 
+/* All of these, of a scene that was counted; the wire where there is a panel. SIM_OK; SIM_REFUSED. */
+int budget_take(struct budget *b, const struct budget_request *rq);
+
 /* What a request says where nothing is said. */
 void budget_defaults(struct budget_request *rq);
 

@@ -113,3 +113,12 @@ int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const
     free(px);
     return status;
 }
+
+int budget_take(struct budget *b, const struct budget_request *rq)
+{
+    budget_ram(&b->ram, rq, &b->config, b->n_instances);
+    for (int c = 0; c < BUDGET_CPUS; c++)
+        budget_flash(&b->flash[c], rq, b, (enum budget_cpu)c);
+    b->has_wire = rq->o.panel.name != NULL;
+    return b->has_wire ? budget_wire(&b->wire, rq, &b->config) : SIM_OK;
+}

@@ -20,7 +20,7 @@
 #include "option_table.h"
 #include "output_file.h"
 #include "panel_frame.h"
-#include "piece_frame.h"
+#include "demo_frame.h"
 #include "reference.h"
 #include "scenes.h"
 #include "false_colors.h"
@@ -47,33 +47,13 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 
-/* All that can be drawn: demo and bench scenes, then showpieces. */
-static uint32_t count_scenes(void)
-{
-    return n_demos + n_pieces;
-}
-
-static const struct demo *scene_at(uint32_t i)
-{
-    return i < n_demos ? demos[i] : &pieces[i - n_demos]->demo;
-}
-
-/* The piece that a scene is; NULL: a scene without effects. */
-static const struct piece *piece_of(const struct demo *demo)
-{
-    for (uint32_t i = 0; i < n_pieces; i++)
-        if (demo == &pieces[i]->demo)
-            return pieces[i];
-    return NULL;
-}
-
 /* The names of all scenes. Static storage. */
 static const char *scene_list(void)
 {
     static char text[1024];
     size_t n = 0;
-    for (uint32_t i = 0; i < count_scenes() && n + 64u < sizeof text; i++)
-        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", i == 0 ? "" : ", ", scene_at(i)->name);
+    for (uint32_t i = 0; i < sim_demo_count() && n + 64u < sizeof text; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", i == 0 ? "" : ", ", sim_demo_at(i)->name);
     return text;
 }
 
@@ -150,20 +130,7 @@ static void configure(struct zs_config *config, const struct demo *demo, const s
     config->subpixel_bits = (uint8_t)rq->subpixel;
     config->fast = rq->fast.list;
     config->depth = demo->depth;
-    sim_method_apply(config, &sim_methods[rq->method]);
-    const struct piece *piece = piece_of(demo);
-    if (piece && piece->method)
-        config->method = piece->method;
-}
-
-/* A frame of any scene, posed. to: NULL, or a sink that gets it too. */
-static int render(struct sim_frame *frame, const struct demo *demo, const struct demo_frame *f,
-                  const struct zs_config *config, const struct zs_sink *to)
-{
-    const struct piece *piece = piece_of(demo);
-    if (!piece)
-        return sim_frame_render_to(frame, &f->scene, &f->camera, config, NULL, to);
-    return sim_piece_render(frame, piece, f, config, NULL, to);
+    sim_demo_method(config, demo, rq->method);
 }
 
 static uint32_t count_frames(const struct request *rq, const struct demo *demo)
@@ -187,7 +154,7 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
         struct demo_frame f;
         struct sim_frame frame;
         demo->pose(&f, frame_number(rq, k), config->width, config->height);
-        const int err = render(&frame, demo, &f, config, NULL);
+        const int err = sim_demo_render(&frame, demo, &f, config, NULL, NULL);
         if (err)
             return sim_refuse(demo->name, 0, "%s", zs_error_string(err));
         if (tris < frame.stats.max_tris_used)
@@ -198,7 +165,7 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
     }
     config->max_tris = sim_method_pool(&sim_methods[rq->method], tris);
     config->max_verts = (uint16_t)verts;
-    if (!piece_of(demo))
+    if (!sim_demo_piece(demo))
         sim_method_apply(config, &sim_methods[rq->method]);
     return SIM_OK;
 }
@@ -272,7 +239,7 @@ static int draw(struct sim_frame *frame, struct sim_picture *seen, struct sim_pa
 {
     const char *scene = demo->name;
     const struct zs_sink sink = sim_panel_sink(panel);
-    int err = render(frame, demo, f, config, rq->panel.name ? &sink : NULL);
+    int err = sim_demo_render(frame, demo, f, config, NULL, rq->panel.name ? &sink : NULL);
     if (!err && rq->show != SIM_SHOW_FRAME)
         err = sim_show_draw(seen, NULL, rq->show, &f->scene, &f->camera, config, 1.0);
     if (err && panel->err == HAL_ERR_NONE)
@@ -315,7 +282,7 @@ static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_confi
         sum->passes_max = frame.stats.passes;
     if (!err)
         err = save(&seen, rq, demo->name, t);
-    if (!err && !piece_of(demo)) /* the reference knows no effects */
+    if (!err && !sim_demo_piece(demo)) /* the reference knows no effects */
         err = compare(sum, &f, demo, config, &frame);
     sim_picture_free(&seen);
     sim_frame_free(&frame);
@@ -363,7 +330,7 @@ static void table_row(const struct demo *demo, const struct tally *t)
            s->tris_in, s->tris_drawn, s->tris_frustum, s->tris_near, s->tris_far, s->tris_offscreen,
            s->tris_facing, s->tris_zero, s->tris_empty, s->pixels_tested, s->pixels_written,
            t->arena, t->passes_max, t->frames);
-    if (piece_of(demo)) {
+    if (sim_demo_piece(demo)) {
         printf(" %7s %7s %7s %6s %7s\n", "-", "-", "-", "-", "-");
         return;
     }
@@ -409,7 +376,7 @@ static int wanted(const struct request *rq, const struct demo *demo)
     for (const char *at = rq->scenes; at; at = next_name(at))
         if (is_name(demo, at, strcspn(at, ",")))
             return 1;
-    return !rq->scenes && !(piece_of(demo) && plain(rq));
+    return !rq->scenes && !(sim_demo_piece(demo) && plain(rq));
 }
 
 /* Are names and frames such as there are? */
@@ -418,19 +385,19 @@ static int check_scenes(const struct request *rq)
     for (const char *at = rq->scenes; at; at = next_name(at)) {
         const size_t length = strcspn(at, ",");
         uint32_t i = 0;
-        while (i < count_scenes() && !is_name(scene_at(i), at, length))
+        while (i < sim_demo_count() && !is_name(sim_demo_at(i), at, length))
             i++;
-        if (i == count_scenes())
+        if (i == sim_demo_count())
             return sim_refuse(NULL, 0, "--scene %.*s: there is no such scene; there are %s", (int)length, at,
                               scene_list());
-        if (piece_of(scene_at(i)) && plain(rq))
+        if (sim_demo_piece(sim_demo_at(i)) && plain(rq))
             return sim_usage("--scene %s: it has effects, so that there are no false colours and no other methods",
-                             scene_at(i)->name);
+                             sim_demo_at(i)->name);
     }
-    for (uint32_t i = 0; i < count_scenes(); i++)
-        if (wanted(rq, scene_at(i)) && rq->start >= scene_at(i)->frames)
+    for (uint32_t i = 0; i < sim_demo_count(); i++)
+        if (wanted(rq, sim_demo_at(i)) && rq->start >= sim_demo_at(i)->frames)
             return sim_refuse(NULL, 0, "--start %ld: frames of %s are 0 to %u; start at one of them%s", rq->start,
-                              scene_at(i)->name, scene_at(i)->frames - 1u,
+                              sim_demo_at(i)->name, sim_demo_at(i)->frames - 1u,
                               rq->scenes ? "" : ", or name scenes by --scene");
     return SIM_OK;
 }
@@ -471,10 +438,10 @@ static void sheet_begin(struct sheet *sheet, const struct request *rq)
 {
     uint32_t found = 0;
     *sheet = (struct sheet){ .n_pages = 1 };
-    for (uint32_t i = 0; i < count_scenes(); i++)
-        if (wanted(rq, scene_at(i))) {
-            const struct size size = picture_size(rq, scene_at(i));
-            const uint32_t frames = rq->moving != NULL ? count_frames(rq, scene_at(i)) : 1u;
+    for (uint32_t i = 0; i < sim_demo_count(); i++)
+        if (wanted(rq, sim_demo_at(i))) {
+            const struct size size = picture_size(rq, sim_demo_at(i));
+            const uint32_t frames = rq->moving != NULL ? count_frames(rq, sim_demo_at(i)) : 1u;
             found++;
             sheet->cell_w = sheet->cell_w < size.width ? size.width : sheet->cell_w;
             sheet->cell_h = sheet->cell_h < size.height ? size.height : sheet->cell_h;
@@ -513,30 +480,29 @@ static void sheet_end(struct sheet *sheet)
 
 static const struct request usual = { .out = "build/demo", .strip = 24, .subpixel = 8, .step = 1, .delay = 80 };
 
-int sim_demo_seen(struct sim_seen *seen, uint32_t *n_frames, int argc, char **argv)
+int sim_demo_seen(struct sim_rendered *seen, uint32_t *n_frames, int argc, char **argv)
 {
     struct request rq = usual;
+    struct zs_config *config = &seen->config;
+    memset(seen, 0, sizeof *seen);
     int err = parse(&rq, argc, argv);
-    uint32_t i = 0;
-    while (!err && i < count_scenes() && !wanted(&rq, scene_at(i)))
-        i++;
-    if (err || i == count_scenes())
+    if (err)
         return err;
-    const struct demo *demo = scene_at(i);
+    const struct demo *demo = sim_demo_named(rq.scenes);
+    if (demo == NULL)
+        return sim_usage("--scene %s: one scene is wanted", rq.scenes);
     struct sim_panel_frame panel = { 0 };
-    struct sim_frame frame = { 0 };
-    struct zs_config config;
     struct demo_frame f;
-    configure(&config, demo, &rq);
-    demo->pose(&f, frame_number(&rq, 0), config.width, config.height);
-    err = fit_pools(&config, demo, &rq);
+    configure(config, demo, &rq);
+    demo->pose(&f, frame_number(&rq, 0), config->width, config->height);
+    err = fit_pools(config, demo, &rq);
     if (!err && rq.panel.name != NULL)
-        err = sim_panel_begin(&panel, &rq.panel, demo->name, config.strip_h);
+        err = sim_panel_begin(&panel, &rq.panel, demo->name, config->strip_h);
     if (!err)
-        err = draw(&frame, &seen->picture, &panel, &f, &config, &rq, demo);
-    seen->stats = frame.stats;
+        err = draw(&seen->frame, &seen->shown, &panel, &f, config, &rq, demo);
+    if (err)
+        sim_render_free(seen);
     *n_frames = demo->frames;
-    sim_frame_free(&frame);
     sim_panel_free(&panel);
     return err;
 }
@@ -562,8 +528,8 @@ int sim_demo(int argc, char **argv)
     struct sheet sheet;
     sheet_begin(&sheet, &rq);
     table_head(&rq);
-    for (uint32_t i = 0; !err && i < count_scenes(); i++) {
-        const struct demo *demo = scene_at(i);
+    for (uint32_t i = 0; !err && i < sim_demo_count(); i++) {
+        const struct demo *demo = sim_demo_at(i);
         struct tally sum;
         memset(&sum, 0, sizeof sum);
         if (!wanted(&rq, demo))

@@ -8,10 +8,10 @@
 #include "option_table.h"
 #include "render.h"
 
-/* The picture of one frame of one scene, as the arguments after "demo" say, among which are --scene, --start and
- * --frames 1. Nothing is written. n_frames: of its animation. SIM_OK; SIM_REFUSED, SIM_USAGE, said why.
- * sim_picture_free of its picture. */
-int sim_demo_seen(struct sim_seen *seen, uint32_t *n_frames, int argc, char **argv);
+/* One frame of one scene, as the arguments after "demo" say, among which are --scene NAME, --start and --frames 1, with
+ * what is shown of it. Nothing is written. n_frames: of its animation. SIM_OK, sim_render_free of it; SIM_REFUSED,
+ * SIM_USAGE, said why. */
+int sim_demo_seen(struct sim_rendered *seen, uint32_t *n_frames, int argc, char **argv);
 
 /* The rows of its table. */
 const struct sim_option *sim_demo_rows(size_t *n);

@@ -85,11 +85,6 @@ static void set_config(struct job *job)
     struct zs_config *c = &job->config;
     const uint64_t n = job->model.n_tris;
     const int clips = may_clip(&job->view, &job->model);
-    static const struct zs_depth *const depths[SIM_DEPTH_E5M11 + 1] = {
-        [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
-        [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
-        [SIM_DEPTH_E5M11] = &zs_depth_e5m11
-    };
     sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], sim_scene_varyings(&job->scene->scene));
     c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
     c->max_tris = pool_size(o->tris, clips ? n * PIECES : n, 1);
@@ -98,7 +93,7 @@ static void set_config(struct job *job)
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;
     c->fast = o->fast.list;
-    c->depth = depths[sim_depth_of(o, &job->view)];
+    c->depth = sim_depths[sim_depth_of(o, &job->view)];
     sim_method_apply(c, &sim_methods[o->method]);
     if (sim_scene_method(&job->scene->scene) != NULL) {
         c->method = sim_scene_method(&job->scene->scene);
@@ -143,7 +138,7 @@ static int draw_strips(struct job *job)
         : sim_frame_render_to(&job->frame, job->drawn, &job->scene->camera, &job->config, "drawing",
                               wish->name != NULL ? &sink : NULL);
     if (err != ZS_OK && job->panel.err == HAL_ERR_NONE) {
-        if (job->options.explain)
+        if (job->options.explain == 1)
             (void)sim_explain(job->options.model, job->drawn, &job->scene->camera, &job->config, job->scene->unit);
         return refuse_frame(job, err);
     }
@@ -154,10 +149,12 @@ static int draw_strips(struct job *job)
 static void explain(const struct job *job)
 {
     const struct sim_frame *f = &job->frame;
+    const size_t n = (size_t)f->width * f->height;
+    const int asked = job->options.explain;
     size_t i = 0;
-    for (const size_t n = (size_t)f->width * f->height; i < n && f->rgb565[i] == job->drawn->background;)
+    while (i < n && f->rgb565[i] == job->drawn->background)
         i++;
-    if (job->options.explain || (i == (size_t)f->width * f->height && isatty(STDERR_FILENO)))
+    if (asked == 1 || (i == n && (asked == SIM_EXPLAIN_EMPTY || isatty(STDERR_FILENO))))
         (void)sim_explain(job->options.model, job->drawn, &job->scene->camera, &job->config, job->scene->unit);
 }
 
@@ -550,21 +547,23 @@ int sim_render_all(struct sim_rendered *out, struct sim_kept_scene *kept, const 
     return status;
 }
 
-void sim_rendered_picture(struct sim_picture *seen, struct sim_rendered *r)
+void sim_rendered_show(struct sim_rendered *r)
 {
     if (r->shown.rgb == NULL)
         sim_picture_565(&r->shown, r->frame.width, r->frame.height, r->frame.rgb565);
-    *seen = r->shown;
-    memset(&r->shown, 0, sizeof r->shown);
 }
 
 int sim_render_model(struct sim_picture *seen, struct sim_kept_scene *kept, const struct sim_model *model,
                      const struct sim_options *o)
 {
+    static const struct sim_picture empty;
     struct sim_rendered r;
     const int status = sim_render_all(&r, kept, model, o);
-    if (status == SIM_OK)
-        sim_rendered_picture(seen, &r);
+    if (status == SIM_OK) {
+        sim_rendered_show(&r);
+        *seen = r.shown;
+        r.shown = empty; /* the caller's */
+    }
     sim_render_free(&r);
     return status;
 }

@@ -12,21 +12,9 @@
 #include "quantise.h"
 #include "render_options.h"
 
-/* What is shown of a frame, and what it took. */
-struct sim_seen {
-    struct sim_picture picture;
-    struct zs_stats stats;
-    struct sim_view view; /* of a model */
-};
-
-/* Draw a model that is loaded, as the options say, and write no file. seen is the caller's after SIM_OK; else what is
- * refused was said. kept may be NULL. */
-int sim_render_model(struct sim_picture *seen, struct sim_kept_scene *kept, const struct sim_model *model,
-                     const struct sim_options *o);
-
-/* A frame of a model with all that is known of it; sim_render_free. *out may not move. */
+/* A frame, and what is known of it; sim_render_free. */
 struct sim_rendered {
-    struct sim_view view;
+    struct sim_view view; /* of a model */
     struct zs_config config;
     struct sim_frame frame;
     struct sim_picture shown; /* with --show, or what is seen on a --panel; else empty */
@@ -35,12 +23,18 @@ struct sim_rendered {
     uint64_t verts;           /* of all of them */
 };
 
-/* The same as sim_render_model. */
+/* Draw a model that is loaded, as the options say, and write no file. SIM_OK; else what is refused was said, *out
+ * empty. kept may be NULL. */
 int sim_render_all(struct sim_rendered *out, struct sim_kept_scene *kept, const struct sim_model *model,
                    const struct sim_options *o);
-/* What --out shows of it; seen is the caller's. */
-void sim_rendered_picture(struct sim_picture *seen, struct sim_rendered *r);
 void sim_render_free(struct sim_rendered *r);
+
+/* Fill r->shown with what --out shows, if it is not there. */
+void sim_rendered_show(struct sim_rendered *r);
+
+/* That picture alone; it is the caller's after SIM_OK. */
+int sim_render_model(struct sim_picture *seen, struct sim_kept_scene *kept, const struct sim_model *model,
+                     const struct sim_options *o);
 
 /* Run with the arguments after "render". Return enum sim_status. */
 int sim_render(int argc, char **argv);

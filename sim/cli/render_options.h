@@ -67,7 +67,9 @@ struct sim_options {
     int precise;                          /* flag: 24 bits a coordinate */
     int opaque;                           /* flag: alpha, highlights and emission do nothing */
     int shade_chosen;                     /* flag: shade is what sim_scene_load chose */
-    int reference, compare, explain, help;                         /* flags */
+    int reference, compare, help;                                  /* flags */
+    int explain; /* flag, or SIM_EXPLAIN_EMPTY */
+#define SIM_EXPLAIN_EMPTY 2 /* if nothing is seen in the frame */
     struct sim_panel_wish panel; /* size is its picture's, where it has a name */
     long threads;                /* 0: not given */
     long spi_hz;                 /* of its wire */

@@ -140,11 +140,10 @@ static int count(struct figures *f, const struct sim_options *o, const struct si
         status = sim_turntable_view(&rq.o, o, model, k, PROBES);
         if (status == SIM_OK)
             status = budget_model(&b, &rq, model);
+        if (status == SIM_OK)
+            status = budget_take(&b, &rq);
         if (status != SIM_OK)
             break;
-        budget_ram(&b.ram, &rq, &b.config, b.n_instances);
-        for (int c = 0; c < BUDGET_CPUS; c++)
-            budget_flash(&b.flash[c], &rq, &b, (enum budget_cpu)c);
         for (size_t i = 0; i < BUDGET_USUAL_PARTS; i++)
             f->cycles[i] = fmax(f->cycles[i],
                                 budget_cycles(&rq, &b, budget_part_named(budget_usual_parts[i])->core));

@@ -19,16 +19,6 @@
 #define AIR 1.06
 #define FRAMED 24u /* directions that the model must be whole in */
 
-/* v turned by an angle about a unit axis (Rodrigues). */
-static void turned(double out[3], const double v[3], const double axis[3], double angle)
-{
-    double across[3];
-    const double c = cos(angle), s = sin(angle), along = sim_dot(axis, v) * (1.0 - c);
-    sim_cross(across, axis, v);
-    for (int k = 0; k < 3; k++)
-        out[k] = c * v[k] + s * across[k] + along * axis[k];
-}
-
 int sim_turntable_view(struct sim_options *out, const struct sim_options *o,
                        const struct sim_model *model, uint32_t k, uint32_t n)
 {
@@ -39,7 +29,7 @@ int sim_turntable_view(struct sim_options *out, const struct sim_options *o,
         return status;
     (void)sim_unit(axis);
     sim_sub(from, view.eye, view.at);
-    turned(to, from, axis, TURN * k / n);
+    sim_turned(to, from, axis, TURN * k / n);
     *out = *o;
     out->has_eye = out->has_at = 1;
     for (int i = 0; i < 3; i++) {

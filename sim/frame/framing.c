@@ -121,6 +121,25 @@ int sim_view_plan(struct sim_view *view, const struct sim_options *o, const stru
     return SIM_OK;
 }
 
+#define POLE 0.017 /* radians that the eye stays off the upright axis */
+
+void sim_view_orbit(double eye[3], const struct sim_view *view, const double up[3], double yaw, double pitch,
+                    double factor)
+{
+    const double quarter = 1.57079632679489661923;
+    double axis[3] = { up[0], up[1], up[2] }, off[3], front[3];
+    (void)sim_unit(axis);
+    sim_sub(off, view->eye, view->at);
+    const double distance = factor * sim_unit(off);
+    sim_cross(front, view->right, axis); /* away from the axis, level */
+    (void)sim_unit(front);
+    const double now = asin(fmax(-1.0, fmin(1.0, sim_dot(off, axis))));
+    const double rise = fmax(POLE - quarter, fmin(quarter - POLE, now + pitch)), level = cos(rise);
+    for (int k = 0; k < 3; k++)
+        eye[k] = view->at[k] +
+                 distance * (level * (cos(yaw) * front[k] + sin(yaw) * view->right[k]) + sin(rise) * axis[k]);
+}
+
 enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *view)
 {
     if (view->orthographic)
@@ -130,3 +149,8 @@ enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *
     const double ratio = view->far_z / view->near_z; /* as zs_depth_float, but for the last bits of the bounds */
     return ratio <= 128.0 ? SIM_DEPTH_E3M13 : ratio <= 32768.0 ? SIM_DEPTH_E4M12 : SIM_DEPTH_E5M11;
 }
+
+const struct zs_depth *const sim_depths[SIM_DEPTH_DEFAULT] = {
+    [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear, [SIM_DEPTH_E3M13] = &zs_depth_e3m13,
+    [SIM_DEPTH_E4M12] = &zs_depth_e4m12, [SIM_DEPTH_E5M11] = &zs_depth_e5m11,   [SIM_DEPTH_FLOAT] = &zs_depth_float,
+};

@@ -32,7 +32,15 @@ struct sim_view {
 int sim_view_plan(struct sim_view *view, const struct sim_options *o,
                   const struct sim_model *model);
 
+/* An eye that goes around what it looks at: by `yaw` about the upright axis, to the right, and up by `pitch`, radians,
+ * not quite to straight above or below; `factor` times as far. up: as of --up, of any length. */
+void sim_view_orbit(double eye[3], const struct sim_view *view, const double up[3], double yaw, double pitch,
+                    double factor);
+
 /* The mapping that is meant by the options for a view, one by name: never FLOAT or DEFAULT. */
 enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *view);
+
+/* The renderer's mappings; SIM_DEPTH_FLOAT is zs_depth_float, SIM_DEPTH_DEFAULT is none. */
+extern const struct zs_depth *const sim_depths[SIM_DEPTH_DEFAULT];
 
 #endif

@@ -35,4 +35,14 @@ static inline double sim_unit(double v[3])
     return length;
 }
 
+/* v turned by an angle about a unit axis (Rodrigues' formula). out may be v. */
+static inline void sim_turned(double out[3], const double v[3], const double axis[3], double angle)
+{
+    double across[3];
+    const double c = cos(angle), s = sin(angle), along = sim_dot(axis, v) * (1.0 - c);
+    sim_cross(across, axis, v);
+    for (int k = 0; k < 3; k++)
+        out[k] = c * v[k] + s * across[k] + along * axis[k];
+}
+
 #endif

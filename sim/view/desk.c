@@ -61,7 +61,7 @@ static void settings(struct column *at, const struct view_desk *d)
 
 static void frame(struct column *at, const struct view_desk *d)
 {
-    const struct zs_stats *s = &d->shot->seen.stats;
+    const struct zs_stats *s = &d->shot->seen.frame.stats;
     const uint32_t view = s->tris_frustum + s->tris_offscreen + s->tris_near + s->tris_far;
     const char *start = view_words_get(&d->shot->words, "--start");
     heading(at, "Frame");
@@ -171,8 +171,8 @@ int view_desk_scale(const struct sim_picture *picture, int w, int h)
 
 void view_desk_draw(const struct view_desk *d, struct view_canvas *c, uint32_t *to, int w, int h, int pitch)
 {
-    const int left = w - VIEW_SIDE_W, top = h - VIEW_BAR_H, scale = view_desk_scale(&d->shot->seen.picture, w, h);
-    const struct sim_picture *p = &d->shot->seen.picture;
+    const int left = w - VIEW_SIDE_W, top = h - VIEW_BAR_H, scale = view_desk_scale(&d->shot->seen.shown, w, h);
+    const struct sim_picture *p = &d->shot->seen.shown;
     const int part_w = (int)p->width * scale > left ? left / scale : (int)p->width; /* of one that is too large */
     const int part_h = (int)p->height * scale > top ? top / scale : (int)p->height;
     view_canvas_size(c, w, h);

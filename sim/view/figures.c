@@ -25,8 +25,8 @@ static void of_scene(struct budget_request *rq, const struct view_shot *shot)
             rq->o.method = k;
     if (view_words_get(&shot->words, "--panel") != NULL) {
         rq->o.has_size = 1;
-        rq->o.size[0] = shot->seen.picture.width;
-        rq->o.size[1] = shot->seen.picture.height;
+        rq->o.size[0] = shot->seen.shown.width;
+        rq->o.size[1] = shot->seen.shown.height;
     } else if (size != NULL && sim_value_size(size, rq->o.size)) {
         rq->o.has_size = 1;
     }
@@ -47,12 +47,12 @@ void view_figures_count(struct view_figures *f, const struct view_shot *shot)
     rq->has_tris = view_words_get(&shot->words, "--tris") != NULL;
     rq->has_verts = view_words_get(&shot->words, "--verts") != NULL;
     sim_quiet++;
-    const int status = of_model ? budget_model(b, rq, &shot->model) : budget_scene(b, rq);
+    rq->kept = shot->kept;
+    int status = of_model ? budget_model(b, rq, &shot->model) : budget_scene(b, rq);
+    if (status == SIM_OK)
+        status = budget_take(b, rq);
     sim_quiet--;
     if (status == SIM_OK) {
-        budget_ram(&b->ram, rq, &b->config, b->n_instances);
-        for (int c = 0; c < BUDGET_CPUS; c++)
-            budget_flash(&b->flash[c], rq, b, (enum budget_cpu)c);
         f->known = 1;
         f->plain = of_model && (sim_effects_any(&shot->o.effects) || shot->o.style != SIM_STYLE_SOLID);
         f->ram = b->ram;

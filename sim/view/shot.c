@@ -15,27 +15,21 @@
 #include "vec.h"
 
 #define RADIANS 0.01745329251994329577
-#define POLE 0.017   /* radians that the eye stays off the upright axis */
-#define DIGITS 1e-5  /* of the distance, to which places are rounded */
+#define DIGITS 1e-5 /* of the distance, to which places are rounded */
 
-/* Options that do not change how a model is loaded. */
+/* Options that do not change how a model is loaded; from the sixth on, not what it is converted to, either: they say
+ * the view, light, background or renderer. */
 static const char *const after_loading[] = {
-    "--out",   "--show",  "--size",  "--strip",  "--depth", "--depth-bits", "--subpixel", "--method",
-    "--tris",  "--verts", "--buffers", "--fast", "--threads", "--panel", "--rotate", "--invert",
-    "--bgr",   "--eye",   "--at",    "--up",     "--fov",   "--near",       "--far",      "--projection",
-    "--style", "--line-width", "--background", "--light", "--ambient", "--diffuse", NULL
+    "--show", "--method", "--threads", "--style", "--line-width",
+    "--out", "--size", "--strip", "--depth", "--depth-bits", "--subpixel", "--tris", "--verts", "--buffers", "--fast",
+    "--panel", "--rotate", "--invert", "--bgr", "--eye", "--at", "--up", "--fov", "--near", "--far", "--projection",
+    "--background", "--light", "--ambient", "--diffuse", NULL
 };
-
-/* Options that say the view, light, background or renderer, but not what a model becomes. */
-static const char *const after_converting[] = {
-    "--out",    "--size",   "--strip", "--depth", "--depth-bits", "--subpixel", "--tris",  "--verts",      "--buffers",
-    "--fast",   "--panel",  "--rotate", "--invert", "--bgr",      "--eye",      "--at",    "--up",         "--fov",
-    "--near",   "--far",    "--projection", "--background", "--light", "--ambient", "--diffuse", NULL
-};
+static const char *const *const after_converting = after_loading + 5;
 
 /* ---- Pictures ---------------------------------------------------------------------------------------- */
 
-static int draw_scene(struct view_shot *shot, struct sim_seen *seen)
+static int draw_scene(struct view_shot *shot, struct sim_rendered *seen)
 {
     char *argv[VIEW_ARGV_MAX];
     const int argc = view_words_argv(&shot->words, argv);
@@ -61,15 +55,6 @@ static void drop_kept(struct view_shot *shot)
     shot->kept_by = NULL;
 }
 
-static int is_one_colour(const struct sim_rendered *r)
-{
-    const size_t n = (size_t)r->frame.width * r->frame.height;
-    size_t i = 1;
-    while (i < n && r->frame.rgb565[i] == r->frame.rgb565[0])
-        i++;
-    return i >= n;
-}
-
 /* From what `before` has kept, where it is of the same model and words. */
 static int render(struct sim_rendered *r, struct view_shot *shot, struct view_shot *before, int loaded)
 {
@@ -78,13 +63,7 @@ static int render(struct sim_rendered *r, struct view_shot *shot, struct view_sh
         before->kept = sim_alloc(1, sizeof *before->kept);
     if (loaded || before->kept_by == NULL || strcmp(before->kept_by, by) != 0)
         drop_kept(before);
-    int status = sim_render_all(r, before->kept, &shot->model, &shot->o);
-    if (status == SIM_OK && is_one_colour(r)) { /* once more, to be told why */
-        struct sim_options o = shot->o;
-        sim_render_free(r);
-        o.explain = 1;
-        status = sim_render_all(r, before->kept, &shot->model, &o);
-    }
+    const int status = sim_render_all(r, before->kept, &shot->model, &shot->o);
     free(before->kept_by);
     before->kept_by = by;
     if (status != SIM_OK)
@@ -95,7 +74,8 @@ static int render(struct sim_rendered *r, struct view_shot *shot, struct view_sh
 }
 
 /* The model of `before` is borrowed where nothing says that it has changed: *loaded is 0 then. */
-static int draw_model(struct view_shot *shot, struct view_shot *before, struct sim_seen *seen, int reload, int *loaded)
+static int draw_model(struct view_shot *shot, struct view_shot *before, struct sim_rendered *seen, int reload,
+                      int *loaded)
 {
     char *argv[VIEW_ARGV_MAX], *by = view_words_line(&shot->words, "", after_loading);
     const int argc = view_words_argv(&shot->words, argv);
@@ -110,22 +90,16 @@ static int draw_model(struct view_shot *shot, struct view_shot *before, struct s
     } else {
         free(by);
     }
-    struct sim_rendered r;
+    shot->o.explain = SIM_EXPLAIN_EMPTY;
     if (status == SIM_OK)
-        status = render(&r, shot, before, *loaded);
-    if (status != SIM_OK)
-        return status;
-    seen->stats = r.frame.stats;
-    seen->view = r.view;
-    sim_rendered_picture(&seen->picture, &r);
-    sim_render_free(&r);
-    return SIM_OK;
+        status = render(seen, shot, before, *loaded);
+    return status;
 }
 
 int view_shot_take(struct view_shot *shot, const struct view_words *words, int reload)
 {
     struct view_shot next = *shot;
-    struct sim_seen seen = { 0 };
+    struct sim_rendered seen = { 0 };
     int loaded = 0;
     next.words = (struct view_words){ 0 };
     view_words_copy(&next.words, words);
@@ -133,7 +107,7 @@ int view_shot_take(struct view_shot *shot, const struct view_words *words, int r
         words->model != NULL ? draw_model(&next, shot, &seen, reload, &loaded) : draw_scene(&next, &seen);
     if (status != SIM_OK) {
         view_words_free(&next.words);
-        sim_picture_free(&seen.picture);
+        sim_render_free(&seen);
         if (loaded) {
             sim_model_free(&next.model);
             free(next.loaded_by);
@@ -141,11 +115,12 @@ int view_shot_take(struct view_shot *shot, const struct view_words *words, int r
         return status;
     }
     view_words_free(&shot->words);
-    sim_picture_free(&shot->seen.picture);
+    sim_render_free(&shot->seen);
     if (loaded) {
         sim_model_free(&shot->model);
         free(shot->loaded_by);
     }
+    sim_rendered_show(&seen);
     next.seen = seen;
     next.serial++;
     *shot = next;
@@ -155,7 +130,7 @@ int view_shot_take(struct view_shot *shot, const struct view_words *words, int r
 void view_shot_free(struct view_shot *shot)
 {
     view_words_free(&shot->words);
-    sim_picture_free(&shot->seen.picture);
+    sim_render_free(&shot->seen);
     drop_kept(shot);
     free(shot->kept);
     sim_model_free(&shot->model);
@@ -179,21 +154,10 @@ static void set_place(struct view_words *words, const char *name, const double v
 void view_shot_orbit(const struct view_shot *shot, struct view_words *words, double turn, double rise, double factor)
 {
     const struct sim_view *v = &shot->seen.view;
-    double axis[3], off[3], side[3], front[3], eye[3];
-    memcpy(axis, shot->o.up, sizeof axis);
-    (void)sim_unit(axis);
-    sim_sub(off, v->eye, v->at);
-    const double distance = sim_unit(off), height = fmax(-1.0, fmin(1.0, sim_dot(off, axis)));
-    memcpy(side, v->right, sizeof side);
-    sim_cross(front, side, axis); /* away from the axis, level */
-    (void)sim_unit(front);
-    double up = asin(height) + rise * RADIANS;
-    up = fmax(POLE - 90.0 * RADIANS, fmin(90.0 * RADIANS - POLE, up));
-    const double level = cos(up), a = turn * RADIANS;
-    for (int k = 0; k < 3; k++)
-        eye[k] = v->at[k] + factor * distance *
-                                (level * (cos(a) * front[k] + sin(a) * side[k]) + sin(up) * axis[k]);
-    set_place(words, "--eye", eye, factor * distance);
+    double eye[3], off[3];
+    sim_view_orbit(eye, v, shot->o.up, turn * RADIANS, rise * RADIANS, factor);
+    sim_sub(off, eye, v->at);
+    set_place(words, "--eye", eye, sqrt(sim_dot(off, off)));
 }
 
 void view_shot_pan(const struct view_shot *shot, struct view_words *words, double dx, double dy)

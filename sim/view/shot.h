@@ -11,7 +11,7 @@
 /* All zero: none yet. */
 struct view_shot {
     struct view_words words; /* of `zsim render`, where they name a model, else of `zsim demo` */
-    struct sim_seen seen;    /* its picture is empty before the first */
+    struct sim_rendered seen; /* its `shown` is empty before the first */
     struct sim_options o;    /* of a model: what the words say; points into them */
     struct sim_model model;
     char *loaded_by;         /* the words that the model was loaded by; NULL: none was */

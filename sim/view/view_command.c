@@ -31,10 +31,9 @@ static void print_help(const struct sim_option *rows, size_t n)
     static const struct sim_help help = {
         "zsim view MODEL [options]\nzsim view --scene NAME [options]",
         "Shows a model or a demo scene in a window, as a board would draw it, with what it takes beside it. Drag to "
-        "turn it; the wheel goes nearer; a key for each setting, which the window names; h shows all keys; "
-        "p writes the "
-        "picture and prints the command that draws it. The model is loaded again when its file changes. A scene takes "
-        "the options of zsim demo, a model those of zsim render:",
+        "turn it, use the wheel to go nearer. Each setting has a key, which the window names; h shows all keys. p "
+        "writes the picture and prints the command that draws it. The model is loaded again when its file changes. A "
+        "scene takes the options of zsim demo, a model those of zsim render:",
         "Exit status: 0 the window was closed; 1 refused, as without a desktop; 2 the command line makes no sense.",
     };
     struct sim_option *here = sim_alloc(n + 1, sizeof *here);

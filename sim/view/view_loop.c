@@ -153,7 +153,7 @@ static void print_figures(const struct view_figures *f)
 static void write_picture(struct view *v)
 {
     char path[4096], said[VIEW_SAID_MAX];
-    const struct sim_picture *p = &v->shot.seen.picture;
+    const struct sim_picture *p = &v->shot.seen.shown;
     int status = SIM_OK;
     name_picture(v, path);
     view_listen_begin();
@@ -283,7 +283,7 @@ static void drag(struct view *v, const struct view_event *e)
     if (!e->shift || !of_model(v)) {
         turn(v, -DEGREES_PX * e->dx, DEGREES_PX * e->dy);
     } else if (view_window_pixels(v->window, &w, &h, &pitch) != NULL) {
-        const double scale = view_desk_scale(&v->shot.seen.picture, w, h);
+        const double scale = view_desk_scale(&v->shot.seen.shown, w, h);
         view_shot_pan(&v->shot, &v->wish, e->dx / scale, e->dy / scale);
         v->redraw = 1;
     }
@@ -352,7 +352,7 @@ static int open_window(struct view *v)
 {
     char title[256];
     int w, h;
-    const struct sim_picture *p = &v->shot.seen.picture;
+    const struct sim_picture *p = &v->shot.seen.shown;
     const char *what = of_model(v) ? v->wish.model : view_words_get(&v->wish, "--scene");
     const char *slash = strrchr(what, '/');
     int status = view_desktop_size(&w, &h);

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "answer.h"
+#include "demo_frame.h"
 #include "option_table.h"
-#include "pieces.h"
 #include "scene_parts.h"
 #include "sim.h"
 #include "stats.h"
@@ -116,9 +116,16 @@ static int draw(struct sim_rendered *out, struct sim_kept_scene *scene, const st
     return web.scene != NULL ? web_scene_draw(out, web.scene, o) : web_model_draw(out, scene, model, o);
 }
 
-static void keep(struct sim_rendered *drawn)
+void web_choose(const struct demo *scene, const char *name, const struct sim_model *model,
+                const struct sim_options *chosen, const struct sim_rendered *drawn)
 {
+    sim_kept_free(&web.kept);
+    sim_model_free(&web.model);
     sim_render_free(&web.drawn);
+    web.scene = scene;
+    web.name = name;
+    web.model = *model;
+    web.chosen = *chosen;
     web.drawn = *drawn;
 }
 
@@ -127,15 +134,18 @@ WEB_EXPORT(render) int web_render(void)
 {
     struct sim_rendered drawn;
     const int status = draw(&drawn, &web.kept, &web.model, &web.chosen);
-    if (status == SIM_OK)
-        keep(&drawn);
+    if (status == SIM_OK) {
+        sim_render_free(&web.drawn);
+        web.drawn = drawn;
+    }
     return status;
 }
 
 /* Its first frame with what is set, which may be refused; then what was drawn before stays. */
 WEB_EXPORT(scene) int web_scene(const char *name)
 {
-    const struct demo *scene = web_scene_named(name);
+    const struct demo *scene = sim_demo_named(name);
+    static const struct sim_model none;
     const uint32_t time = web.time;
     struct sim_rendered drawn;
     if (scene == NULL)
@@ -146,12 +156,7 @@ WEB_EXPORT(scene) int web_scene(const char *name)
         web.time = time;
         return status;
     }
-    keep(&drawn);
-    sim_kept_free(&web.kept);
-    sim_model_free(&web.model);
-    web.scene = scene;
-    web.name = scene->name;
-    web.chosen = web.options;
+    web_choose(scene, scene->name, &none, &web.options, &drawn);
     return SIM_OK;
 }
 
@@ -175,13 +180,8 @@ WEB_EXPORT(configure) int web_configure(const char *given, size_t bytes, int n)
         free(words);
         return status;
     }
-    if (is_model) {
-        sim_model_free(&web.model);
-        web.model = model;
-    }
     if (web.name != NULL)
-        keep(&drawn);
-    sim_kept_free(&web.kept);
+        web_choose(web.scene, web.name, &model, &chosen, &drawn);
     free(web.words);
     web.words = words;
     web.options = o;

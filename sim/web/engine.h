@@ -35,15 +35,15 @@ struct web {
 };
 extern struct web web;
 
+/* From here on this scene, or *model, is drawn with these options, as *drawn shows; all of it becomes web's. */
+void web_choose(const struct demo *scene, const char *name, const struct sim_model *model,
+                const struct sim_options *chosen, const struct sim_rendered *drawn);
+
 /* A demo scene's frame. SIM_OK; SIM_REFUSED, said why. */
 int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o);
-/* The scene of a name; NULL: none. */
-const struct demo *web_scene_named(const char *name);
 /* The same scene from another side. The angles turn its camera about the middle of its instances; distance is a
  * factor. */
 void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by);
-/* Does it have effects? */
-int web_scene_is_piece(const struct demo *scene);
 /* The configuration that options mean for a scene. */
 void web_scene_config(struct zs_config *config, const struct demo *scene,
                       const struct sim_options *o);

@@ -9,6 +9,7 @@
 #include "answer.h"
 #include "budget.h"
 #include "convert.h"
+#include "demo_frame.h"
 #include "engine.h"
 #include "explanation.h"
 #include "sim.h"
@@ -48,11 +49,7 @@ static int count(struct budget *b, struct budget_request *rq, int effects)
                                            : budget_model(b, rq, &web.model);
     if (status != SIM_OK)
         return status;
-    budget_ram(&b->ram, rq, &b->config, b->n_instances);
-    for (int c = 0; c < BUDGET_CPUS; c++)
-        budget_flash(&b->flash[c], rq, b, (enum budget_cpu)c);
-    b->has_wire = rq->o.panel.name != NULL;
-    return b->has_wire ? budget_wire(&b->wire, rq, &b->config) : SIM_OK;
+    return budget_take(b, rq);
 }
 
 static void put_number(FILE *f, const char *name, double value)
@@ -129,6 +126,7 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
     static struct budget b;
     budget_defaults(&rq);
     rq.quiet = 1;
+    rq.kept = &web.kept;
     rq.o = web.chosen;
     rq.has_tris = rq.o.tris > 0;
     rq.has_verts = rq.o.verts > 0;
@@ -143,7 +141,7 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
             return NULL;
         rq.o.spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
     }
-    const int effects = web.scene != NULL ? web_scene_is_piece(web.scene)
+    const int effects = web.scene != NULL ? sim_demo_piece(web.scene) != NULL
                                           : sim_effects_any(&rq.o.effects);
     if (web.name == NULL || count(&b, &rq, effects) != SIM_OK)
         return NULL;

@@ -4,7 +4,6 @@
  */
 #include "engine.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +13,6 @@
 #include "model_reference.h"
 #include "scene_parts.h"
 #include "sim.h"
-#include "vec.h"
 
 static struct web_given coming, kept;
 
@@ -119,18 +117,7 @@ static int turn(struct sim_options *o, const struct sim_model *model, const stru
     const int status = sim_view_plan(&view, o, model);
     if (status != SIM_OK || (by->yaw == 0.0 && by->pitch == 0.0 && by->distance == 1.0))
         return status;
-    double up[3] = { o->up[0], o->up[1], o->up[2] }, right[3], front[3], off[3];
-    (void)sim_unit(up);
-    sim_cross(right, up, view.back);
-    (void)sim_unit(right);
-    sim_cross(front, right, up); /* unit, level */
-    sim_sub(off, view.eye, view.at);
-    const double length = sqrt(sim_dot(off, off)) * by->distance;
-    const double pitch = fmin(fmax(asin(sim_dot(view.back, up)) + by->pitch, -1.55), 1.55);
-    for (int k = 0; k < 3; k++) {
-        const double level = cos(by->yaw) * front[k] + sin(by->yaw) * right[k];
-        o->eye[k] = view.at[k] + length * (cos(pitch) * level + sin(pitch) * up[k]);
-    }
+    sim_view_orbit(o->eye, &view, o->up, by->yaw, by->pitch, by->distance);
     memcpy(o->at, view.at, sizeof o->at);
     o->has_eye = o->has_at = 1;
     return SIM_OK;
@@ -179,14 +166,7 @@ WEB_EXPORT(model_end) int web_model_end(int up_z, int single)
         return status;
     }
     web_given_free(&before);
-    sim_kept_free(&web.kept);
-    sim_model_free(&web.model);
-    web.model = model;
-    web.scene = NULL;
-    web.name = kept.name;
-    web.chosen = o;
-    sim_render_free(&web.drawn);
-    web.drawn = drawn;
+    web_choose(NULL, kept.name, &model, &o, &drawn);
     return SIM_OK;
 }
 

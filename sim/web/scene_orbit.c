@@ -5,18 +5,9 @@
 #include <math.h>
 
 #include "engine.h"
+#include "vec.h"
 
 #define Q30 1073741824.0
-
-/* v turned about a unit axis (Rodrigues' formula). */
-static void turn(double v[3], const double axis[3], double angle)
-{
-    const double c = cos(angle), s = sin(angle), dot = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
-    const double cross[3] = { axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
-                              axis[0] * v[1] - axis[1] * v[0] };
-    for (int k = 0; k < 3; k++)
-        v[k] = v[k] * c + cross[k] * s + axis[k] * dot * (1.0 - c);
-}
 
 /* How far the middle of the instances is along the view, between near and far. */
 static double middle(const struct demo_frame *at, const double back[3])
@@ -49,9 +40,9 @@ void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by)
     for (int k = 0; k < 3; k++)
         eye[k] = (double)camera->pos[k] - offset[k];
     for (int i = 0; i < 3; i++)
-        turn(row[i], up, by->yaw);
-    turn(row[1], row[0], -by->pitch);
-    turn(row[2], row[0], -by->pitch);
+        sim_turned(row[i], row[i], up, by->yaw);
+    sim_turned(row[1], row[1], row[0], -by->pitch);
+    sim_turned(row[2], row[2], row[0], -by->pitch);
     for (int k = 0; k < 3; k++)
         camera->pos[k] = (int32_t)lround(eye[k] + row[2][k] * z * by->distance);
     for (int i = 0; i < 9; i++)

@@ -16,7 +16,7 @@
 
 #include "fast_lists.h"
 #include "frame_sum.h"
-#include "piece_frame.h"
+#include "demo_frame.h"
 
 #define FILE_NAME "tests/records/pieces.txt" /* NAME FRAME BITS PIXELS KEYS, a line; from the project's folder */
 
@@ -32,7 +32,7 @@ static void draw(struct sim_frame *frame, const struct piece *piece, uint32_t t,
 {
     static struct demo_frame f;
     piece->demo.pose(&f, t, c->width, c->height);
-    assert_int_equal(sim_piece_render(frame, piece, &f, c, NULL, NULL), ZS_OK);
+    assert_int_equal(sim_demo_render(frame, &piece->demo, &f, c, NULL, NULL), ZS_OK);
 }
 
 static void config_of(struct zs_config *c, const struct piece *piece, uint16_t w, uint16_t h)

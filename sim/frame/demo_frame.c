@@ -1,0 +1,63 @@
+/* In passes, where it has some.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "demo_frame.h"
+
+#include <string.h>
+
+uint32_t sim_demo_count(void)
+{
+    return n_demos + n_pieces;
+}
+
+const struct demo *sim_demo_at(uint32_t i)
+{
+    return i < n_demos ? demos[i] : &pieces[i - n_demos]->demo;
+}
+
+const struct demo *sim_demo_named(const char *name)
+{
+    for (uint32_t i = 0; i < sim_demo_count(); i++)
+        if (strcmp(sim_demo_at(i)->name, name) == 0)
+            return sim_demo_at(i);
+    return NULL;
+}
+
+const struct piece *sim_demo_piece(const struct demo *demo)
+{
+    for (uint32_t i = 0; i < n_pieces; i++)
+        if (demo == &pieces[i]->demo)
+            return pieces[i];
+    return NULL;
+}
+
+void sim_demo_method(struct zs_config *config, const struct demo *demo, int method)
+{
+    const struct piece *piece = sim_demo_piece(demo);
+    sim_method_apply(config, &sim_methods[method]);
+    if (piece != NULL && piece->method != NULL)
+        config->method = piece->method;
+}
+
+struct posed {
+    const struct piece *piece;
+    const struct demo_frame *f;
+};
+
+static int draw(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
+{
+    static struct zs_pass_memory memory[PIECE_PASSES_MAX];
+    const struct posed *p = ctx;
+    return piece_render(r, p->piece, &p->f->scene, &p->f->camera, memory, sink);
+}
+
+int sim_demo_render(struct sim_frame *frame, const struct demo *demo, const struct demo_frame *f,
+                    const struct zs_config *config, const char *what, const struct zs_sink *to)
+{
+    struct posed posed = { sim_demo_piece(demo), f };
+    const struct sim_drawing drawing = { draw, &posed, config->width, config->height, 0 };
+    if (posed.piece == NULL)
+        return sim_frame_render_to(frame, &f->scene, &f->camera, config, what, to);
+    return sim_frame_render_by(frame, &drawing, config, what, to);
+}

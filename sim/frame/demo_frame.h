@@ -1,0 +1,27 @@
+/* Frames of the demo scenes, of showpieces (firmware/scenes/pieces) as well.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_DEMO_FRAME_H
+#define SIM_DEMO_FRAME_H
+
+#include "frame.h"
+#include "method_names.h"
+#include "pieces.h"
+
+/* All that can be drawn: demo and bench scenes, then showpieces. */
+uint32_t sim_demo_count(void);
+const struct demo *sim_demo_at(uint32_t i);
+const struct demo *sim_demo_named(const char *name); /* NULL: there is none */
+
+/* The piece that a scene is; NULL: a scene without effects. */
+const struct piece *sim_demo_piece(const struct demo *demo);
+
+/* The method of that number, of sim_methods, or the one that a piece needs. */
+void sim_demo_method(struct zs_config *config, const struct demo *demo, int method);
+
+/* As sim_frame_render_to, of what demo->pose has filled, in passes where the scene has some. config has its method. */
+int sim_demo_render(struct sim_frame *frame, const struct demo *demo, const struct demo_frame *f,
+                    const struct zs_config *config, const char *what, const struct zs_sink *to);
+
+#endif
