@@ -143,8 +143,8 @@ static ZS_NOINLINE void other_plane(struct zs_job *job, const struct zs_coordina
     zs_plane_origin(&job->geom, out);
 }
 
-/* Compute the gradients of both coordinates in 2^-32 repeats, modulo one repeat, and their values at
- * column 0 of row 0. */
+/* Compute the gradients of both coordinates in 2^-32 repeats, modulo one repeat, and their values
+ * at column 0 of row 0. */
 static ZS_NOINLINE void affine_planes(struct zs_job *job, const struct zs_coordinate c[2],
                                       uint32_t uv_bits)
 {
