@@ -103,7 +103,7 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sectio
          -Wall -Wextra $(WERROR) -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
          -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes \
-         -Ifirmware/scenes/pieces -I$(B)/gen \
+         -Ifirmware/scenes/pieces $(GEN) \
          $(if $(filter 1,$(LEAN)),-DZS_NO_FAST=1) $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
@@ -115,6 +115,9 @@ LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA))
 # What knows nothing of the board is compiled the same for all boards of a core, once where ccache is in the path: of
 # DEFINES it takes the library's alone, -DZS_...
 COMMON_OBJ = $(patsubst %.c,$(OUT)/%.o,$(COMMON))
+GEN = -I$(B)/gen
+# The renderer and the panels do not see the build folder either, so that ccache has them for projects elsewhere, too
+$(patsubst %.c,$(OUT)/%.o,$(CORE) $(PANELS)): GEN =
 $(COMMON_OBJ): BOARD_FLAGS =
 $(COMMON_OBJ): override DEFINES := $(filter -DZS_%,$(DEFINES))
 # Meshes are data: the same for all cores of a kind

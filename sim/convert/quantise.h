@@ -83,7 +83,7 @@ struct sim_kept_scene {
 int sim_kept_take(struct sim_kept_scene *kept, const struct sim_model *model, const struct sim_view *view,
                   const struct sim_options *o);
 
-/* Before anything changes but what says the view, light and background; and at last. */
+/* Call it before an option changes that is not about the view, light or background, and at the end. */
 void sim_kept_free(struct sim_kept_scene *kept);
 
 /* The varyings that its shaders need. */

@@ -38,10 +38,10 @@ within() { # NAME BYTES MOST
     if [ "$2" -gt 0 ] && [ "$2" -le "$most" ]; then ok "$1 within $most bytes: $2"; else bad "$1 within $most bytes" "$2"; fi
 }
 
-# The core alone, for size and for speed. A figure of the first is a promise, on one core; the others are for review.
+# The core alone. Limits are of -Os on the M3; make size prints all.
 for c in $CPUS; do
     for level in -Os -O2; do
-        [ "$c$level" = cortex-m3-Os ] || [ -n "${SIZE_ALL:-}" ] || continue # make size has all
+        [ "$c$level" = cortex-m3-Os ] || [ -n "${SIZE_ALL:-}" ] || continue
         flags="-DZS_NO_FAST=1 $level" dir=$B/size-bare$level-$c LIST=
         # shellcheck disable=SC2086
         core "$c" "$dir" $flags || { bad "bare, $c compiles" "see above"; continue; }

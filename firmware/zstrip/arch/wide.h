@@ -305,13 +305,6 @@ static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, u
 
 #endif
 
-/* The largest of 0, a and b minus the least. |a|, |b| < 2^30 */
-static inline uint32_t zs_range32(int32_t a, int32_t b)
-{
-    const int32_t low = a < b ? a : b, high = a < b ? b : a;
-    return (uint32_t)((high & ~(high >> 31)) - (low & low >> 31));
-}
-
 /* Return (gx x + gy y + 128) / 256, floor, modulo 2^32: how much a plane changes over x, y, q24_8.
  * |x|, |y| <= 2^22. Cores without wide products take the low 8 bits of the gradients apart: their
  * sum is below 2^31. */

@@ -104,6 +104,13 @@ static inline int32_t zs_max32(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
+/* The largest of 0, a and b minus the least. |a|, |b| < 2^30 */
+static inline uint32_t zs_range32(int32_t a, int32_t b)
+{
+    const int32_t low = a < b ? a : b, high = a < b ? b : a;
+    return (uint32_t)((high & ~(high >> 31)) - (low & low >> 31));
+}
+
 static inline uint32_t zs_minu32(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;

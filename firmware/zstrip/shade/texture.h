@@ -51,9 +51,8 @@ ZS_ALWAYS_INLINE void zs_texture_coordinate(struct zs_coordinate *out, int32_t a
     out->range = zs_range32(b - a, c - a);
 }
 
-/* Return log2 of the texels that 16 bits of u or v span, whichever are more, if the range takes the
- * upper ones of these; with at least 128 texels for each repeat. The larger of two ranges, shifted
- * by the texture's size, has as many bits as both that are or-ed. */
+/* Return the least n for which u and v each span less than 2^n texels, counting at least 128 texels
+ * to a repeat. Or-ed, the two spans have as many bits as the larger. */
 ZS_ALWAYS_INLINE int32_t zs_texture_most(const struct zs_texture *t, const struct zs_coordinate *u,
                                          const struct zs_coordinate *v, uint32_t uv_bits)
 {
@@ -79,8 +78,8 @@ static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t le
     return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
 }
 
-/* Return v * rcp + more, rcp >= 2^31: on a core with wide products one of them, signed, because rcp
- * - 2^32 fits 32 bits with a sign, and v * 2^32 is added. */
+/* Return v * rcp + more. rcp >= 2^31. A core with wide products takes one signed product, v * (rcp -
+ * 2^32), and adds v * 2^32. */
 static inline int64_t zs_times_rcp(int32_t v, uint32_t rcp, uint32_t more)
 {
     if (ZS_CROSS_SHORT)
@@ -94,7 +93,7 @@ uint32_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift);
 
 #if ZS_DIVIDES
 #define ZS_TEXTURE_GRADIENT ZS_ALWAYS_INLINE
-#else /* few registers: a function of its own */
+#else /* few registers: a function of its own, for 0.5 % of relief_tex and 148 bytes on the M0 */
 #define ZS_TEXTURE_GRADIENT static ZS_NOINLINE __attribute__((unused))
 #endif
 
