@@ -61,8 +61,8 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
 /* Return 1 if width + height <= 256 px. */
 static int is_small(const struct zs_geom *g)
 {
-    const int32_t width = (int32_t)zs_range32(g->dx1, g->dx2);
-    return width + zs_max32(g->dy1, g->dy2) <= SMALL_EXTENT; /* the first vertex is the top one */
+    return (int32_t)zs_range32(g->dx1, g->dx2) + zs_max32(g->dy1, g->dy2) <=
+           SMALL_EXTENT; /* the first vertex is the top one */
 }
 
 void zs_plane_geom(struct zs_job *job)
@@ -202,10 +202,9 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
  * first vertex's value, and the gradients are known. */
 static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
 {
-    const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax,
-                  ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
+    const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy; /* |.| <= 2^30 */
     ZS_FACT(gx >= -(1 << 30) && gx <= 1 << 30 && gy >= -(1 << 30) && gy <= 1 << 30);
-    out->base += zs_plane_step(gx, ax, gy, ay);
+    out->base += zs_plane_step(gx, g->ax, gy, g->ay); /* |a| <= 2^7 */
 }
 
 /* The method `large`, for any triangle and any values: compute with 24 more bits, then round. On

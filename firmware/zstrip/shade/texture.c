@@ -124,8 +124,8 @@ static void relative(struct zs_job *job, const struct zs_coordinate *c, int k, u
                  (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2));
 }
 
-/* Compute coordinate k's plane where zs_texture_plane does not: for large triangles, steep gradients,
- * and sampler.wide, where it is relative to the least coordinate. */
+/* Compute coordinate k's plane where zs_texture_plane does not: for large triangles, steep
+ * gradients, and sampler.wide, where it is relative to the least coordinate. */
 static ZS_NOINLINE void other_plane(struct zs_job *job, const struct zs_coordinate *c, int k,
                                     uint32_t uv_bits)
 {

@@ -78,8 +78,8 @@ static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t le
     return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
 }
 
-/* Return v * rcp + more. rcp >= 2^31. A core with wide products takes one signed product, v * (rcp -
- * 2^32), and adds v * 2^32. */
+/* Return v * rcp + more. rcp >= 2^31. A core with wide products takes one signed product,
+ * v * (rcp - 2^32), and adds v * 2^32. */
 static inline int64_t zs_times_rcp(int32_t v, uint32_t rcp, uint32_t more)
 {
     if (ZS_CROSS_SHORT)
