@@ -61,8 +61,8 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
 /* Return 1 if width + height <= 256 px. */
 static int is_small(const struct zs_geom *g)
 {
-    return (int32_t)zs_range32(g->dx1, g->dx2) + zs_max32(g->dy1, g->dy2) <=
-           SMALL_EXTENT; /* the first vertex is the top one */
+    /* the first vertex is the top one */
+    return (int32_t)zs_range32(g->dx1, g->dx2) + zs_max32(g->dy1, g->dy2) <= SMALL_EXTENT;
 }
 
 void zs_plane_geom(struct zs_job *job)
