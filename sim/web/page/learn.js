@@ -325,7 +325,8 @@ export function buildCards(at) {
         ),
         methodCard(
             'Coverage',
-            'From near to far, with one bit a pixel: each pixel is coloured once, which pays for dear shaders.',
+            'From near to far, with one bit a pixel: each pixel is coloured once, ' +
+                'which pays where shading is expensive.',
             coverage,
         ),
         methodCard(
@@ -335,7 +336,7 @@ export function buildCards(at) {
         ),
         methodCard(
             'Ray casting',
-            'For each pixel the nearest surface, in place of, for each surface, its pixels.',
+            'The loops the other way round: for each pixel, find the nearest surface.',
             raycast,
         ),
     );
