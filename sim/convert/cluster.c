@@ -111,13 +111,14 @@ void sim_sphere(int16_t center[3], uint16_t *radius, const int32_t (*fine)[3], u
     box_middle(middle, fine, n);
     for (int attempt = 0; attempt < 3; attempt++) {
         int16_t at[3];
+        if (attempt > 0)
+            approach(middle, fine, n);
         to_steps(at, middle);
         const int64_t squared = farthest(at, fine, n, &which);
         if (squared < least) {
             least = squared;
             memcpy(center, at, sizeof at);
         }
-        approach(middle, fine, n);
     }
     *radius = radius_of(least);
 }

@@ -142,6 +142,12 @@ static uint32_t exact_palette(uint16_t *palette, uint32_t most, const struct sim
 
 /* ---- Cutting --------------------------------------------------------------------------------- */
 
+/* The colours of every box, sorted along each axis: box by box the same colours in each of the three.
+ * They are sorted once; a cut keeps the order. */
+struct sorted {
+    struct color *at[3], *spare;
+};
+
 /* Along one axis, then the others: an order in which no two different colours are equal. */
 static int compare(const void *left, const void *right, int axis)
 {
@@ -171,6 +177,24 @@ static int by_blue(const void *a, const void *b)
 
 static int (*const by_axis[3])(const void *, const void *) = { by_red, by_green, by_blue };
 
+static struct sorted sort_colors(const struct colors *colors)
+{
+    struct sorted s = { .spare = sim_alloc(colors->n, sizeof *s.spare) };
+    for (int axis = 0; axis < 3; axis++) {
+        s.at[axis] = sim_alloc(colors->n, sizeof *s.at[axis]);
+        memcpy(s.at[axis], colors->at, colors->n * sizeof *colors->at);
+        qsort(s.at[axis], colors->n, sizeof *s.at[axis], by_axis[axis]);
+    }
+    return s;
+}
+
+static void free_sorted(struct sorted *s)
+{
+    for (int axis = 0; axis < 3; axis++)
+        free(s->at[axis]);
+    free(s->spare);
+}
+
 /* Sums of a run of colours: pixels, channels. */
 struct sums {
     double n, c[3];
@@ -189,23 +213,22 @@ static double weight(const struct sums *s)
     return (s->c[0] * s->c[0] + s->c[1] * s->c[1] + s->c[2] * s->c[2]) / s->n;
 }
 
-static void find_cut(struct box *box, const struct colors *colors)
+static void find_cut(struct box *box, const struct sorted *sorted)
 {
-    struct color *at = colors->at + box->first;
     struct sums all = { 0 };
     double squares = 0.0;
     for (uint32_t i = 0; i < box->n; i++) {
-        add(&all, &at[i]);
+        const struct color *c = &sorted->at[0][box->first + i];
+        add(&all, c);
         for (int k = 0; k < 3; k++)
-            squares += at[i].n * at[i].c[k] * at[i].c[k];
+            squares += c->n * c->c[k] * c->c[k];
     }
     box->error = squares - weight(&all);
     box->gain = 0.0;
-    for (int axis = 0; axis < 3 && box->n > 1; axis++) {
+    for (int axis = 0; axis < 3; axis++) {
         struct sums low = { 0 };
-        qsort(at, box->n, sizeof *at, by_axis[axis]);
         for (uint32_t i = 0; i + 1 < box->n; i++) {
-            add(&low, &at[i]);
+            add(&low, &sorted->at[axis][box->first + i]);
             const struct sums high = {
                 all.n - low.n, { all.c[0] - low.c[0], all.c[1] - low.c[1], all.c[2] - low.c[2] }
             };
@@ -219,13 +242,30 @@ static void find_cut(struct box *box, const struct colors *colors)
     }
 }
 
+/* Of a box, its low colours first, in all three orders; along its own axis they are. */
+static void part(struct sorted *sorted, const struct box *box)
+{
+    const struct color *first_high = &sorted->at[box->axis][box->first + box->cut];
+    for (int i = 1; i < 3; i++) {
+        struct color *at = sorted->at[(box->axis + i) % 3] + box->first;
+        uint32_t low = 0, high = 0;
+        for (uint32_t k = 0; k < box->n; k++)
+            if (compare(&at[k], first_high, box->axis) < 0)
+                at[low++] = at[k];
+            else
+                sorted->spare[high++] = at[k];
+        memcpy(at + low, sorted->spare, high * sizeof *at);
+    }
+}
+
 /* Means of boxes, into mean; return how many. */
 static uint32_t cut_boxes(double (*mean)[3], uint32_t most, const struct colors *colors)
 {
+    struct sorted sorted = sort_colors(colors);
     struct box box[SIM_PALETTE_MAX];
     uint32_t n = 1;
     box[0] = (struct box){ .first = 0, .n = colors->n };
-    find_cut(&box[0], colors);
+    find_cut(&box[0], &sorted);
     while (n < most) {
         uint32_t worst = 0;
         for (uint32_t i = 1; i < n; i++)
@@ -234,19 +274,20 @@ static uint32_t cut_boxes(double (*mean)[3], uint32_t most, const struct colors 
         struct box *b = &box[worst];
         if (b->gain <= 0.0)
             break;
-        qsort(colors->at + b->first, b->n, sizeof *colors->at, by_axis[b->axis]);
+        part(&sorted, b);
         box[n] = (struct box){ .first = b->first + b->cut, .n = b->n - b->cut };
         b->n = b->cut;
-        find_cut(b, colors);
-        find_cut(&box[n++], colors);
+        find_cut(b, &sorted);
+        find_cut(&box[n++], &sorted);
     }
     for (uint32_t i = 0; i < n; i++) {
         struct sums s = { 0 };
         for (uint32_t k = 0; k < box[i].n; k++)
-            add(&s, &colors->at[box[i].first + k]);
+            add(&s, &sorted.at[0][box[i].first + k]);
         for (int k = 0; k < 3; k++)
             mean[i][k] = s.c[k] / s.n;
     }
+    free_sorted(&sorted);
     return n;
 }
 
@@ -257,6 +298,9 @@ static uint32_t nearest(double (*entry)[3], uint32_t n, const double c[3], doubl
     uint32_t best = 0;
     double least = distance(entry[0], c);
     for (uint32_t i = 1; i < n; i++) {
+        const double red = entry[i][0] - c[0];
+        if (red * red >= least) /* most entries, by now */
+            continue;
         const double d = distance(entry[i], c);
         if (d < least) {
             least = d;
