@@ -90,13 +90,15 @@ CHECKSUMS = $(CHECKSUM_HOST:%=$(B)/test/checksum-%) $(foreach o,O0 O2 Os,$(B)/te
 CHECKSUMS_BARE = $(patsubst %,$(B)/test/bare-%,$(CHECKSUM_HOST) powerpc-Os)
 $(B)/test/checksum-powerpc-% $(B)/test/bare-powerpc-%: CHECKSUM_CC = powerpc-linux-gnu-gcc -static
 CHECKSUM_CC = $(word 2,$(subst -, ,$(@F)))
+CHECKSUM = sh tests/lib/checksum_program.sh $@ $(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) \
+           -DZS_VARYINGS_MAX=8 -Itests/lib -- $(filter %.c,$^)
 checksum-programs: $(CHECKSUMS) $(CHECKSUMS_BARE)
-$(CHECKSUMS): tests/property/checksum.c $(CORE) $(HEADERS)
-$(CHECKSUMS_BARE): tests/property/checksum.c $(filter-out firmware/zstrip/fast/%,$(CORE)) $(HEADERS)
-$(CHECKSUMS_BARE): INC += -DZS_NO_FAST=1
-$(CHECKSUMS) $(CHECKSUMS_BARE):
+$(CHECKSUMS) $(CHECKSUMS_BARE): tests/lib/checksum_program.sh $(HEADERS)
+$(CHECKSUMS): tests/property/checksum.c $(CORE)
 	@mkdir -p $(@D)
-	@$(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) -DZS_VARYINGS_MAX=8 -Itests/lib $(filter %.c,$^) -o $@
+	@$(CHECKSUM)
+$(B)/test/bare-%: $(B)/test/checksum-% tests/property/checksum.c $(filter-out firmware/zstrip/fast/%,$(CORE))
+	@$(CHECKSUM) bare $<
 
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack
