@@ -69,12 +69,15 @@ static int parse(struct view_words *w, int argc, char **argv, int *help)
     }
     if (status != SIM_OK || *help)
         return status;
+    const char *name = view_words_get(w, "--scene");
+    if (scene && (name == NULL || name[0] == '\0')) /* NULL: the word is another option's value */
+        return sim_usage("--scene wants a name, not ''");
     if (scene && w->model != NULL)
-        return sim_usage("--scene %s or the model %s: leave one out", view_words_get(w, "--scene"), w->model);
+        return sim_usage("--scene %s or the model %s: leave one out", name, w->model);
     if (!scene && (w->model == NULL || w->model[0] == '\0'))
         return sim_usage("a model is missing: zsim view MODEL, or zsim view --scene NAME");
-    if (scene && strchr(view_words_get(w, "--scene"), ',') != NULL)
-        return sim_usage("one scene at a time: --scene %s", view_words_get(w, "--scene"));
+    if (scene && strchr(name, ',') != NULL)
+        return sim_usage("one scene at a time: --scene %s", name);
     if (view_words_get(w, "--out") == NULL)
         view_words_set(w, "--out", scene ? "build/view" : "view.png");
     if (scene && view_words_get(w, "--start") == NULL)
