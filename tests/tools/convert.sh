@@ -46,20 +46,20 @@ convert() { # TO INPUT OPTION...
     place=$(sed -n 's/^ \* Positions *in the model.s units: \([^ ]*\) \([^ ]*\) \([^ ]*\) + \([^ ]*\) \* n.*/\1 \2 \3 \4/p' "$to/m.h")
     place="$place $(sed -n 's/.*a unit of the model is \([^ ]*\) of them.*/\1/p' "$to/m.h")"
 }
-# Four compilers' warnings, then a program of the converted file and the library, with sanitizers. The file names the
-# fields that it sets, which C++ takes since C++20; its header is for older C++ too.
+# Three compilers' warnings, then by the fourth a program of the converted file and the library, with sanitizers. The
+# file names the fields that it sets, which C++ takes since C++20; its header is for older C++ too.
 checked=' ' # checksums of files that these compilers have taken, without the line that says how they were made
 compile() { # TO PROGRAM.c
     this=$(sed 1d "$1/m.c" | cat - "$1/m.h" | sed '/^ *\/\* Made by/d' | cksum | tr ' ' -)
     case $checked in *" $this "*) ;; *) syntax "$1" ;; esac
     checked="$checked$this "
-    gcc -std=c11 -O0 -c -Wall -Wextra -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
+    gcc -std=c11 -O0 -c -Wall -Wextra -Wpedantic -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
         gcc -std=gnu11 -O0 -g1 $SAN -Wall -Wextra -Werror -DZS_VARYINGS_MAX=8 -I"$top/firmware/zstrip" -I"$1" \
             "$top/tests/tools/convert/$2.c" "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 ||
         wrong "$(head -c 400 cc.log)"
 }
 syntax() { # TO
-    for compiler in 'gcc -std=c11' 'g++ -x c++ -std=c++20' 'clang -std=c11' 'clang++ -x c++ -std=c++20'; do
+    for compiler in 'g++ -x c++ -std=c++20' 'clang -std=c11' 'clang++ -x c++ -std=c++20'; do
         $compiler -Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers -fsyntax-only \
             -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 || wrong "$compiler: $(head -c 400 cc.log)"
     done
