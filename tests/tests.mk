@@ -108,7 +108,11 @@ size stack: $(B)/.setup-test $(B)/libcore.a
 check: $(B)/.setup-test $(B)/gen/meshes.h
 	@for c in objects kernels hal includes shape designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
+## examples: flash, RAM and instructions of the programs of firmware/examples, on a Cortex-M3
+examples: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/tools/examples.sh $(B)
+
 ## checksums: every scene's frames on Cortex-M0 to M7, RISC-V, PowerPC (big-endian) and x86-64: one table, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
 	@SUMS_PICO=1 sh tests/property/scene_sums.sh $(B)
-.PHONY: size stack check checksums test-programs checksum-programs
+.PHONY: size stack check checksums examples test-programs checksum-programs

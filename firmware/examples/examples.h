@@ -11,6 +11,7 @@
 #define EXAMPLE_H 32
 
 /* Draw frame t into a sink. Return ZS_OK or an error. */
+int example_first_triangle(uint32_t t, const struct zs_sink *sink);
 int example_glass(uint32_t t, const struct zs_sink *sink);
 int example_cockpit_gauges(uint32_t t, const struct zs_sink *sink);
 int example_dither(uint32_t t, const struct zs_sink *sink);

@@ -41,9 +41,10 @@ int example_explain(uint32_t t, const struct zs_sink *sink)
         one.pose.pos[2] = -50000; /* metres were meant */
     else if (t == 2)
         one.pose.scale = 1; /* ZS_Q16_ONE is 1 */
-    else if (t == 3)
-        scene.light.dir[1] = scene.light.ambient = 1; /* and so are these in q2_30 and uq16_16 */
-    else if (t == 4)
+    else if (t == 3) {
+        scene.light.dir[1] = 1; /* ZS_Q30_ONE is 1 */
+        scene.light.ambient = 1; /* ZS_Q16_ONE */
+    } else if (t == 4)
         scene.instance = 0;
     err = err ? err : ZS_INIT(screen);
     err = err ? err : zs_render(&screen, &scene, &camera, sink);

@@ -1,5 +1,5 @@
-/* A number over the picture, by a resolve hook. The hook says where it draws otherwise than before, so that zs_damage_track has only that
- * rectangle drawn again while the scene stands still.
+/* A number over the picture, by a resolve hook. The hook says where it draws otherwise than before, so that
+ * zs_damage_track has only that rectangle drawn again while the scene stands still.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,29 +16,25 @@ static const uint16_t digit[10] = { /* rows from the top, three bits each, the l
     075557, 026227, 071747, 071717, 055711, 074717, 074757, 071244, 075757, 075717
 };
 
-struct counter {
-    uint32_t shown, before;
-};
+struct counter { uint32_t shown, before; };
 
-static void counter_draw(void *ctx, const struct zs_target *target)
+static void counter_draw(void *ctx, const struct zs_target *to)
 {
     const struct counter *c = (const struct counter *)ctx;
     for (int y = 0; y < 5; y++)
         for (int x = 0; x < 11; x++) {
             const uint32_t place = x < 3 ? 100u : x < 7 ? 10u : 1u;
             const int bit = x % 4 < 3 && digit[c->shown / place % 10u] >> (3 * (4 - y) + 2 - x % 4) & 1;
-            if (bit && TOP + y >= target->y0 && TOP + y < target->y1 && LEFT + x >= target->x0 && LEFT + x < target->x1)
-                target->color[(uint32_t)(TOP + y - target->y0) * target->pitch + (uint32_t)(LEFT + x)] = zs_wire565(
-                    255, 255, 255);
+            if (bit && TOP + y >= to->y0 && TOP + y < to->y1 && LEFT + x >= to->x0 && LEFT + x < to->x1)
+                to->color[(uint32_t)(TOP + y - to->y0) * to->pitch + (uint32_t)(LEFT + x)] = 0xffff;
         }
 }
 
 static int counter_changes(void *ctx, struct zs_rect *rect)
 {
     struct counter *c = (struct counter *)ctx;
-    const struct zs_rect all = { .x = LEFT, .y = TOP, .w = 11, .h = 5 };
-    *rect = all;
     const int changed = c->shown != c->before;
+    *rect = (struct zs_rect){ .x = LEFT, .y = TOP, .w = 11, .h = 5 };
     c->before = c->shown;
     return changed;
 }

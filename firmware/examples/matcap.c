@@ -46,7 +46,7 @@ int example_matcap(uint32_t t, const struct zs_sink *sink)
             tri[2 * i + k / 3][k % 3] = corner[k / 3][k % 3];
     }
     for (int i = 0; i < 32 * 32; i++) { /* a window at the upper left */
-        const uint8_t x = i % 32, y = (uint8_t)(i / 32), level = (uint8_t)(y * 13);
+        const uint8_t x = (uint8_t)(i % 32), y = (uint8_t)(i / 32), level = (uint8_t)(y * 13);
         image[y][x] = y >= 16                                ? ZS_RGB565(0xa05000)
                       : y >= 6 && y < 12 && x >= 8 && x < 13 ? ZS_RGB565(0xffffff)
                                                              : zs_rgb565(level, level, 255);

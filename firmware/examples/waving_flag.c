@@ -3,20 +3,19 @@
  * SPDX-License-Identifier: MIT
  */
 #include "examples.h"
-#include "zs_math.h"
 #include "zs_shader.h"
 
 #define N 16 /* columns: vertices 2 k and 2 k + 1 are the ends of column k */
-static uint16_t phase; /* of the wind; does not change while a frame is drawn */
+static uint16_t tri[N * 2][3], phase; /* phase: of the wind; does not change while a frame is drawn */
 
-/* How far column k is from the flag's plane: nothing at the pole, column 0. */
-static int32_t wave_at(uint32_t k)
+static int32_t wave_at(uint32_t k) /* how far column k is from the flag's plane: nothing at the pole, column 0 */
 {
     return (zs_sin((zs_turn)(k * 5500u - phase)) >> 24) * (int32_t)k / 4;
 }
 
 static void flag_position(const struct zs_shading *s, uint32_t v, int16_t out[3])
 {
+    (void)s;
     out[0] = (int16_t)(v / 2 * 50 - N * 25);
     out[1] = v & 1u ? -300 : 300;
     out[2] = (int16_t)wave_at(v / 2);
@@ -25,6 +24,7 @@ static void flag_position(const struct zs_shading *s, uint32_t v, int16_t out[3]
 static void flag_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
     const int32_t light = 170 + wave_at(v / 2) - wave_at(v / 2 + 1u); /* by the slope */
+    (void)s;
     out[0] = (uint16_t)(light < 90 ? 90 : light > 255 ? 255 : light);
     out[1] = v & 1u ? 65535 : 0;
 }
@@ -32,13 +32,13 @@ static void flag_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 static void flag_fragment(const struct zs_instance *instance, struct zs_fragment *f)
 {
     const uint8_t light = (uint8_t)f->v[0], other = f->v[1] / 21846u == 1u ? light : 0; /* stripes */
+    (void)instance;
     *f->color = zs_wire565(light, other, other);
 }
 
 static const struct zs_shader shader = { .position = flag_position, ZS_POSITIONS, .vertex = flag_vertex,
                                          .fragment = flag_fragment, ZS_FRAGMENTS, .n_varyings = 2, .opaque = 1 };
 static int16_t pos[N * 2 + 2][3]; /* the stage needs none of it */
-static uint16_t tri[N * 2][3];
 static const struct zs_mesh mesh = { .pos = pos, .tri = tri, .n_verts = N * 2 + 2, .n_tris = N * 2, .radius = 700 };
 ZS_RENDERER(screen, EXAMPLE_W, EXAMPLE_H, 8, N * 2, N * 2 + 2, 2);
 

@@ -1020,7 +1020,8 @@ static void examples_are_right(void **state)
     static const struct {
         const char *name;
         int (*draw)(uint32_t, const struct zs_sink *);
-    } example[] = { EXAMPLE(glass),         EXAMPLE(cockpit_gauges),
+    } example[] = { EXAMPLE(first_triangle),
+                    EXAMPLE(glass),         EXAMPLE(cockpit_gauges),
                     EXAMPLE(dither),        EXAMPLE(fog),
                     EXAMPLE(cutout),        EXAMPLE(filters),
                     EXAMPLE(gradient_sky),  EXAMPLE(frame_counter),
