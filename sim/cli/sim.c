@@ -118,15 +118,12 @@ void sim_progress(const char *what, size_t done, size_t total)
 {
     static int terminal = -1;
     static double due_s;
-    static const char *job;
-    if (terminal < 0)
+    if (terminal < 0) {
         terminal = isatty(fileno(out()));
-    if (!terminal)
-        return;
-    if (job != what) {
-        job = what;
         due_s = now_s() + 0.5;
     }
+    if (!terminal)
+        return;
     if (now_s() < due_s)
         return;
     due_s = now_s() + 0.1;

@@ -45,8 +45,9 @@ void sim_free_all(void *const *blocks, size_t n);
 #define SIM_FREE(...) \
     sim_free_all((void *const[]){ __VA_ARGS__ }, sizeof((void *const[]){ __VA_ARGS__ }) / sizeof(void *))
 
-/* Say on stderr how far a long job is. Prints nothing unless stderr is a terminal and the job has
- * taken half a second. sim_progress_end wipes the line; sim_refuse does too. */
+/* Say on stderr how far a job is. Prints nothing unless stderr is a terminal and half a second has passed since the
+ * first call: jobs that are short by themselves show, too, once the program takes long. sim_progress_end wipes the
+ * line; sim_refuse does too. */
 void sim_progress(const char *what, size_t done, size_t total);
 void sim_progress_end(void);
 

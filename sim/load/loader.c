@@ -246,6 +246,7 @@ int sim_model_load(struct sim_model *model, const char *file, const struct sim_w
     if (pipe(ends) != 0)
         return sim_refuse(file, 0, "cannot be loaded: %s", strerror(errno));
     (void)fflush(NULL);
+    sim_progress("loading", 0, 1); /* here, so that both processes count from now on */
     const pid_t pid = fork();
     if (pid == 0) {
         (void)close(ends[0]);
