@@ -42,8 +42,8 @@ int example_explain(uint32_t t, const struct zs_sink *sink)
     else if (t == 2)
         one.pose.scale = 1; /* ZS_Q16_ONE is 1 */
     else if (t == 3) {
-        scene.light.dir[1] = 1; /* ZS_Q30_ONE is 1 */
-        scene.light.ambient = 1; /* ZS_Q16_ONE */
+        scene.light.dir[1] = 1;  /* here ZS_Q30_ONE is 1 */
+        scene.light.ambient = 1; /* and here ZS_Q16_ONE */
     } else if (t == 4)
         scene.instance = 0;
     err = err ? err : ZS_INIT(screen);

@@ -24,6 +24,17 @@ files() {
     [ -e "$2" ]
 }
 
+# WHAT DIR NAME: `firmware`, a function of the script's, builds a program, and runs it with `run`: what it writes is
+# DIR/NAME.csv. Where it does not build or run, all of that is shown, and the script ends.
+counted() {
+    if ! firmware >"$2/log" 2>&1 || ! firmware run >"$2/$3.csv" 2>"$2/err"; then
+        cat "$2/log" "$2/err" "$2/$3.csv"
+        bad "$1 on $3" "see above"
+        exit 1
+    fi
+    cat "$2/err" >>"$2/$3.csv" # semihosting may write to either
+}
+
 # CPU DIR [FLAGS...]: firmware/zstrip, or hal/panel, as objects, and what the compiler says of their stack. With BARE,
 # which is in the flags then, without accelerators.
 BARE='-DZS_NO_FAST=1 -Os'

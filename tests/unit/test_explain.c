@@ -1013,31 +1013,18 @@ static int no_panel(void *ctx, const struct zs_strip *strip)
 
 static void examples_are_right(void **state)
 {
-#define EXAMPLE(name)                                                                                                 \
-    {                                                                                                                 \
-#name, example_##name                                                                                         \
-    }
+#define EXAMPLE(name) { #name, example_##name },
     static const struct {
         const char *name;
         int (*draw)(uint32_t, const struct zs_sink *);
-    } example[] = { EXAMPLE(first_triangle),
-                    EXAMPLE(glass),         EXAMPLE(cockpit_gauges),
-                    EXAMPLE(dither),        EXAMPLE(fog),
-                    EXAMPLE(cutout),        EXAMPLE(filters),
-                    EXAMPLE(gradient_sky),  EXAMPLE(frame_counter),
-                    EXAMPLE(hidden_line),   EXAMPLE(matcap),
-                    EXAMPLE(mirror),        EXAMPLE(no_depth),
-                    EXAMPLE(planar_shadow), EXAMPLE(sky),
-                    EXAMPLE(shadow_map),    EXAMPLE(split_screen),
-                    EXAMPLE(supersampled),  EXAMPLE(user_shader),
-                    EXAMPLE(dissolve),      EXAMPLE(marble),
-                    EXAMPLE(three_lights),  EXAMPLE(toon),
-                    EXAMPLE(waving_flag) };
+    } example[] = { EXAMPLES(EXAMPLE) };
     const struct zs_sink sink = { .submit = no_panel };
     const uint32_t n = sizeof example / sizeof example[0];
     listening = 1;
     for (uint32_t k = 0; k < n; k++)
         for (uint32_t t = 0; t < 3; t++) {
+            if (example[k].draw == example_explain && t > 0)
+                continue; /* wrong on purpose */
             memset(&words_of_examples, 0, sizeof words_of_examples);
             said_of_examples = 0;
             assert_int_equal(example[k].draw(t, &sink), ZS_OK);

@@ -8,38 +8,12 @@
 #include "hal.h"
 #include "report.h"
 
-#define EXAMPLE(name) { #name, example_##name }
+#define EXAMPLE(name) { #name, example_##name },
 
 static const struct {
     const char *name;
     int (*draw)(uint32_t, const struct zs_sink *);
-} example[] = {
-    EXAMPLE(first_triangle),
-    EXAMPLE(explain),
-    EXAMPLE(frame_counter),
-    EXAMPLE(gradient_sky),
-    EXAMPLE(split_screen),
-    EXAMPLE(no_depth),
-    EXAMPLE(hidden_line),
-    EXAMPLE(three_lights),
-    EXAMPLE(toon),
-    EXAMPLE(filters),
-    EXAMPLE(cutout),
-    EXAMPLE(matcap),
-    EXAMPLE(sky),
-    EXAMPLE(mirror),
-    EXAMPLE(glass),
-    EXAMPLE(fog),
-    EXAMPLE(planar_shadow),
-    EXAMPLE(shadow_map),
-    EXAMPLE(supersampled),
-    EXAMPLE(dither),
-    EXAMPLE(cockpit_gauges),
-    EXAMPLE(user_shader),
-    EXAMPLE(marble),
-    EXAMPLE(dissolve),
-    EXAMPLE(waving_flag),
-};
+} example[] = { EXAMPLES(EXAMPLE) };
 
 int main(void)
 {
