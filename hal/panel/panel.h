@@ -45,7 +45,8 @@ enum panel_err {
 const char *panel_strerror(int err);
 
 struct panel_type; /* a controller */
-extern const struct panel_type panel_st7789;  /* RGB565; RAM 240x320. 240x240, 240x320, 135x240 have their offsets */
+extern const struct panel_type panel_st7789;  /* RGB565; RAM 240x320. 240x240, 240x320, 135x240, 240x280, 172x320 and
+                                                 170x320 have their offsets */
 extern const struct panel_type panel_ili9341; /* RGB565; 240x320 */
 extern const struct panel_type panel_gc9a01;  /* RGB565; 240x240, round */
 extern const struct panel_type panel_ssd1351; /* RGB565; 128x128, 128x96 */

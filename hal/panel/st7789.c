@@ -1,4 +1,5 @@
-/* ST7789: TFTs of up to 240x320, on glass of 240x240, 240x320, 135x240 and others (give x0, y0).
+/* ST7789: TFTs of up to 240x320, on glass of 240x240, 240x320, 135x240, 240x280, 172x320, 170x320 and others (give x0,
+ * y0).
  *
  * Rotate 0 is MADCTL 0. Most modules are IPS glass: config.invert = 1. bgr: MADCTL's RGB bit. Brightness is WRDISBV,
  * which drives the controller's own backlight pin; modules that do not wire it need hal_backlight. RAMCTRL's ENDIAN
@@ -24,7 +25,8 @@ static const uint8_t setup[] = {
 static const uint8_t lsb_first[] = { 3, 0xb0, 0x00, 0xf8, 0 };
 
 static const struct panel_glass glass[] = { { 240, 320, 0, 0, NULL }, { 240, 240, 0, 0, NULL },
-                                            { 135, 240, 52, 40, NULL } };
+                                            { 135, 240, 52, 40, NULL }, { 240, 280, 0, 20, NULL },
+                                            { 172, 320, 34, 0, NULL }, { 170, 320, 35, 0, NULL } };
 
 const struct panel_type panel_st7789 = {
     PANEL_DCS,

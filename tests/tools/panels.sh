@@ -20,8 +20,8 @@ awk 'BEGIN { srand(3); n = 0
 look='--background 204060 --color ff9040 --light 2,3,1'
 
 # ---- Every panel ----------------------------------------------------------------------------------
-panels='st7789:240x240 st7789:240x320 st7789:135x240 ili9341:240x320 gc9a01:240x240 ssd1351:128x128 ssd1351:128x96
-    ssd0323:128x64 ssd1306:128x64 ssd1306:128x32 ssd1306:64x48 ssd1306:72x40'
+panels='st7789:240x240 st7789:240x320 st7789:135x240 st7789:172x320 ili9341:240x320 gc9a01:240x240
+    ssd1351:128x128 ssd1351:128x96 ssd0323:128x64 ssd1306:128x64 ssd1306:128x32 ssd1306:64x48 ssd1306:72x40'
 for panel in $panels; do
     begin "shows_the_frame_$(echo "$panel" | tr : _)"
     for degrees in 0 90 180 270; do
