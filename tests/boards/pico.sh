@@ -44,7 +44,7 @@ set_up() {
 }
 
 # Run SCENE[-2] without gaps, recorded; and beside it with them: in the tests those of $SCENES_2 alone, as gaps are the
-# wire's. -2: the image for both cores.
+# wire's. For the table once more, with gaps and a flash that takes its time. -2: the image for both cores.
 image_of() {
     case $1 in *-2) echo "$fw-2/${1%-2}" ;; *) echo "$fw/$1" ;; esac
 }
@@ -58,7 +58,12 @@ run_scene() {
         node "$out/run.mjs" "$(image_of "$1")" --frames $FRAMES --step $STEP --gap $GAP >"$out/$1.gap.txt" 2>&1
         second=$? ;;
     esac
-    wait $first && [ $second -eq 0 ] || bad "pico_$1" "$(grep -hm1 Error "$out/$1.txt" "$out/$1.gap.txt")"
+    : >"$out/$1.xip.txt"
+    if [ -n "$only" ] && [ $second -eq 0 ]; then
+        node "$out/run.mjs" "$(image_of "$1")" --frames $FRAMES --step $STEP --gap $GAP --xip 1 >"$out/$1.xip.txt" 2>&1
+        second=$?
+    fi
+    wait $first && [ $second -eq 0 ] || bad "pico_$1" "$(grep -hm1 Error "$out/$1.txt" "$out/$1.gap.txt" "$out/$1.xip.txt")"
 }
 
 # ---- Pictures -----------------------------------------------------------------------------------------------------
@@ -109,8 +114,8 @@ scene_tests() { # SCENE, SCENE-2
 table_head() {
     echo
     echo "Raspberry Pi Pico, RP2040 at 125 MHz, ST7789 240x240 at 62.5 MHz: $FRAMES frames, $STEP apart, of each scene."
-    printf '%-9s %11s %8s %8s %7s %7s %7s %5s %7s %8s %6s\n' scene 'draw cycles' 'wire us' "+$GAP ns" fps "+$GAP ns" \
-        hidden late RAM flash stack
+    printf '%-9s %11s %8s %8s %6s %6s %6s %7s %8s %8s %7s %5s %7s %8s %6s\n' scene 'draw cycles' 'wire us' "+$GAP ns" fps \
+        "+$GAP ns" +flash misses 'strip us' 'its wire' hidden late RAM flash stack
 }
 late() { # FILE    of how many frames, from the last line of statistics
     field "$1" text | awk -F, 'NF > 5 && $2 + 0 { last = $7 "/" $2 } END { print last }'
@@ -120,33 +125,38 @@ with_gaps() { # FILE NAME    -: it did not run with them
     echo "${of:--}"
 }
 table_row() { # SCENE
-    a=$out/$1.txt b=$out/$1.gap.txt
+    a=$out/$1.txt b=$out/$1.gap.txt c=$out/$1.xip.txt
     echo "pico $1 $(field "$a" flash) $(field "$a" ram) $(field "$a" stack_used) $(field "$a" draw_cycles)" >>"$out/table.txt"
-    printf '%-9s %11d %8d %8s %7.1f %7s %6d%% %5s %7d %8d %6d\n' "$1" "$(field "$a" draw_cycles)" \
+    printf '%-9s %11d %8d %8s %6.1f %6s %6s %7s %8d %8d %6d%% %5s %7d %8d %6d\n' "$1" "$(field "$a" draw_cycles)" \
         "$(field "$a" wire_us)" "$(with_gaps "$b" wire_us)" "$(field "$a" fps)" "$(with_gaps "$b" fps)" \
-        "$(field "$a" hidden_percent)" "$(late "$a")" \
+        "$(with_gaps "$c" fps)" "$(with_gaps "$c" flash_misses)" $(($(field "$a" worst_strip_cycles) / 125)) \
+        $(($(field "$a" wire_us) / $(field "$a" strips))) "$(field "$a" hidden_percent)" "$(late "$a")" \
         "$(field "$a" ram)" "$(field "$a" flash)" "$(field "$a" stack_used)"
 }
 # Both cores draw: cycles of each, and what that gains.
 table_2_head() {
     echo
     echo "The same with CORES=2: each core draws whichever strip is next, with an arena of its own."
-    printf '%-9s %9s %9s %8s %7s %7s %6s %6s %5s %7s %8s %6s %7s\n' scene 'core 0' 'core 1' 'wire us' fps "+$GAP ns" gain \
-        hidden late RAM flash stack 'stack 1'
+    printf '%-9s %9s %9s %8s %6s %6s %6s %7s %6s %6s %5s %7s %8s %6s %7s\n' scene 'core 0' 'core 1' 'wire us' fps "+$GAP ns" \
+        +flash misses gain hidden late RAM flash stack 'stack 1'
 }
 table_2_row() { # SCENE
-    a=$out/$1-2.txt b=$out/$1-2.gap.txt
-    printf '%-9s %9d %9d %8d %7.1f %7s %6.2f %5d%% %5s %7d %8d %6d %7d\n' "$1" "$(field "$a" draw_cycles)" \
+    a=$out/$1-2.txt b=$out/$1-2.gap.txt c=$out/$1-2.xip.txt
+    printf '%-9s %9d %9d %8d %6.1f %6s %6s %7s %6.2f %5d%% %5s %7d %8d %6d %7d\n' "$1" "$(field "$a" draw_cycles)" \
         "$(field "$a" draw_cycles_1)" "$(field "$a" wire_us)" "$(field "$a" fps)" "$(with_gaps "$b" fps)" \
+        "$(with_gaps "$c" fps)" "$(with_gaps "$c" flash_misses)" \
         "$(awk -v one="$(field "$out/$1.txt" fps)" -v two="$(field "$a" fps)" 'BEGIN { print two / one }')" \
         "$(field "$a" hidden_percent)" "$(late "$a")" "$(field "$a" ram)" "$(field "$a" flash)" \
         "$(field "$a" stack_used)" "$(field "$a" stack_1_used)"
 }
 table_foot() {
-    echo "Emulated (rp2040js): flash without wait states, no bus contention, so that cycles are a lower bound."
-    echo "+$GAP ns: with that pause after each 16-bit word, as real chips make in SPI mode 0. hidden: the share of"
-    echo "drawing (core 0's) that went on while the wire was busy. late: frames that took longer than the scene's step. gain:"
-    echo "fps by those of one core. Two cores: what they wait for each other at a bank of RAM or at the flash is not counted."
+    echo "Emulated (rp2040js): no bus contention, so that cycles are a lower bound; draw cycles and the first fps are of a"
+    echo "flash without wait states. +$GAP ns: with that pause after each 16-bit word, as real chips make in SPI mode 0."
+    echo "+flash: with pauses and a flash that takes $(node "$out/cache.mjs" cycles) cycles for each word that its cache lacks; misses: of these, in"
+    echo "drawing a frame. strip us: drawing the dearest strip, without those waits; its wire: a strip of pixels on the wire."
+    echo "hidden: the share of drawing (core 0's) that went on while the wire was busy. late: frames that took longer than the"
+    echo "scene's step. gain: fps by those of one core. Two cores: what they wait for each other at a bank of RAM or at the"
+    echo "flash is not counted."
 }
 
 # ---- Tests -------------------------------------------------------------------------------------------------
@@ -205,10 +215,22 @@ goes_wrong() {
     field "$stem.txt" problem >>"$stem.bad"
     verdict "pico_$name" "$(head -3 "$stem.bad" | tr '\n' ' ')"
 }
+# The images of all scenes for both cores fit into the RAM; only some of them are run.
+fits_twice() {
+    sed -n 's/^#define SIZES_2_\([a-z]*\) .*/\1/p' firmware/scenes/sizes.h >"$out/scenes_2.txt"
+    while read -r of; do
+        make -s -f firmware/boards/firmware.mk BOARD=pico B="$build" APP=show SCENE="$of" CORES=2 image \
+            >"$out/fits.log" 2>&1 || echo "$of: $(grep -o 'overflowed by.*' "$out/fits.log" || tail -1 "$out/fits.log")"
+    done <"$out/scenes_2.txt" >"$out/fits.bad"
+    [ "$(wc -l <"$out/scenes_2.txt")" -ge 9 ] || echo "scenes are missing in sizes.h" >>"$out/fits.bad"
+    verdict pico_images_for_both_cores_fit "$(tr '\n' ' ' <"$out/fits.bad")"
+}
+
 two_cores() {
     for of in $SCENES_2; do
         scene_tests "$of-2"
     done
+    fits_twice
     image pico APP=show SCENE=mine CORES=2
     by_the_clock second
     image pico NAME=second APP_SRC=tests/boards/pico/second.c CORES=2
@@ -350,6 +372,9 @@ if [ -z "$only" ]; then
     done
     node "$out/image.mjs" "$fw/${SCENES%% *}" >"$out/image.txt" 2>&1
     grep -E '^(ok|FAILED) ' "$out/image.txt"
+    node "$out/cache.mjs" >"$out/cache.txt" 2>&1
+    grep -E '^(ok|FAILED) ' "$out/cache.txt"
+    [ "$(grep -cE '^ok ' "$out/cache.txt")" = 6 ] || failed=1
     [ "$(grep -cE '^ok ' "$out/image.txt")" = 4 ] || failed=1
     verdict pico_no_float_no_heap "$(arm-none-eabi-nm "$fw/${SCENES%% *}.elf" |
         grep -oE '__aeabi_[cdf][a-z]*[0-9]?[a-z]*$|(m|c|re)alloc$|_sbrk$' | grep -vE 'clz|ctz' | tr '\n' ' ')"

@@ -11,8 +11,9 @@
 //   - every register that is used is known
 //   - a second core, once it is started: second.mjs
 //
-// Cycles are the Cortex-M0+'s, from the emulator's table: no flash wait states, no bus contention (DMA, the other
-// core), and interrupts enter and leave at no cost. They are a lower bound.
+// Cycles are the Cortex-M0+'s, from the emulator's table: no bus contention (DMA, the other core), interrupts enter and
+// leave at no cost, and flash is read without waiting unless { xip: true } asks for the model of xip.mjs. They are a
+// lower bound.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -21,6 +22,7 @@ import { Simulator } from 'rp2040js';
 
 import { read_elf } from './elf.mjs';
 import { Second } from './second.mjs';
+import { Xip } from './xip.mjs';
 
 const STAGE2_AT = 0x20041f00; // where the boot ROM copies the second stage
 const FLASH = 0x10000000, RAM = 0x20000000;
@@ -35,7 +37,7 @@ const TIME_MAX_NS = 60e9;     // nothing here takes a minute: a longer sleep is 
 const HARMLESS = /^UART0: Unimplemented peripheral write to 0x48/;
 
 export class Pico {
-    constructor(stem, { gap_ns = 0, doze_ns = 0, second = '' } = {}) {
+    constructor(stem, { gap_ns = 0, doze_ns = 0, second = '', xip = false } = {}) {
         this.elf = read_elf(`${stem}.elf`);
         this.gap_ns = gap_ns;
         this.doze_ns = doze_ns; // passes before each WFI (WFE, with two cores), as if what is waited for came just then
@@ -61,6 +63,11 @@ export class Pico {
         chip.uart[0].onByte = (byte) => { this.text += String.fromCharCode(byte); };
         this.#wire();
         this.second = new Second(this, second);
+        if (xip) {
+            this.xip = new Xip();
+            this.xip.watch(this.core);
+            this.xip.watch(this.second.core);
+        }
         this.#dma();
         this.#resets();
     }
@@ -259,7 +266,7 @@ export class Pico {
     }
 
     #execute(core) {
-        const cycles = core.executeInstruction();
+        const cycles = core.executeInstruction() + (this.xip?.waited() ?? 0);
         core.ran += cycles;
         if (core.ran > TIME_MAX_NS / CYCLE_NS)
             throw new Error('does not end');

@@ -1,6 +1,6 @@
 // node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1] [--head 1]] [--stream FILE]
 //             [--until TEXT] [--doze NS] [--profile N] [--second MODE] [--stop FRAME.STRIP] [--fault FRAME.STRIP]
-//             [--refuse FRAME]
+//             [--refuse FRAME] [--xip 1]
 //
 // Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a
 // desk, until the UART has said TEXT), and prints what was measured, "name value" a line; the text of the UART after
@@ -11,6 +11,8 @@
 // --profile: the N functions that draw longest, "function NAME CYCLES" a line: cycles a frame, callees not counted.
 // --second: a mode of second.mjs. --stop: core 1 stands still in what it draws when core 0 begins to send this strip of
 // this frame, or draws next. --fault: it has a hard fault there. --refuse: this frame's scene is one that no renderer takes.
+//
+// --xip: reading the flash takes time (xip.mjs).
 //
 // Of an image for two cores a frame is what leaves from its first strip to its last; cycles are counted from one
 // frame's end to the next, by core. A picture that was broken off, or of which nothing was sent, ends where the next
@@ -25,7 +27,7 @@ const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000, HEIGHT = 240; // HEIGHT: of a picture of two cores
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, head: 0, refuse: -1, stream: '', until: '', second: '',
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, xip: 0, hold: '', tail: 0, head: 0, refuse: -1, stream: '', until: '', second: '',
         stop: '', fault: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
@@ -35,7 +37,7 @@ function options(args) {
 }
 
 const o = options(process.argv.slice(2));
-const pico = new Pico(o.stem, { gap_ns: o.gap, doze_ns: o.doze, second: o.second });
+const pico = new Pico(o.stem, { gap_ns: o.gap, doze_ns: o.doze, second: o.second, xip: o.xip !== 0 });
 const { symbols } = pico.elf, two = 'pair_phase' in symbols;
 const frame_end = symbols.zs_frame_end & ~1, strip_call = symbols.zs_frame_strip & ~1, stop = symbols.hal_exit & ~1;
 const place = (text) => text ? text.split('.').map(Number) : [-1, -1];
@@ -44,6 +46,9 @@ const [fault_frame, fault_strip] = place(o.fault);
 const channel = pico.chip.dma.channels[0];
 const frames = []; // what was known when each was on the glass
 let strips = 0, armed = false, ending = false, draw = 0, draw_1 = 0, hidden = 0, in_flash = 0;
+let misses = 0;                                  // of the flash's cache, while drawing
+let strip_from = 0, worst = 0, worst_strip = 0;  // drawing cycles up to the strip in hand; of the dearest strip, and its number
+let strips_most = 0;
 
 if (!o.until) {
     pico.patch('show_test', 0, o.frames);
@@ -52,7 +57,7 @@ if (!o.until) {
 function on_glass() {
     ending = false;
     pico.mark_picture();
-    frames.push({ ns: pico.clock.nanos, draw, draw_1, hidden, wire: pico.busy_ns });
+    frames.push({ ns: pico.clock.nanos, draw, draw_1, hidden, misses, wire: pico.busy_ns });
 }
 pico.on_release = () => {
     if (ending && (!two || (pixels && !channel.active)))
@@ -110,13 +115,25 @@ function refuse() {
     if (kept)
         pico.chip.writeUint32(scene, 0);
 }
+// The strip that was drawn last is over. The first frame is not like others: nothing is in caches, damage is everywhere.
+function strip_ends() {
+    if (drawn > 0 && strips > 0 && draw - strip_from > worst) {
+        worst = draw - strip_from;
+        worst_strip = strips - 1;
+    }
+    strip_from = draw;
+}
 function one_core_at(pc) {
     if (pc === frame_end) {
         ending = true;
+        strip_ends();
         drawn++;
         strips = 0;
     } else if (pc === strip_call) {
+        if (strips > 0) // the first one's begins with the frame's
+            strip_ends();
         strips++;
+        strips_most = Math.max(strips_most, strips);
         // strip k is on the wire while strip k + 1 is drawn
         armed = drawn === hold_frame && strips === hold_strip + 2;
     }
@@ -134,11 +151,12 @@ while (core.PC !== stop) {
     }
     if (core.PC === frame_call)
         refuse();
-    const at = core.PC, cycles = pico.step();
+    const at = core.PC, missed = pico.xip?.misses ?? 0, cycles = pico.step();
     if (at === frame_call && core.PC === at + 2) // else an interrupt came first
         asked++;
     if (sram[phase_at] === PHASE_DRAW) {
         draw += cycles;
+        misses += (pico.xip?.misses ?? 0) - missed;
         cycles_at?.set(at, (cycles_at.get(at) ?? 0) + cycles);
         if (spi.busy)
             hidden += cycles;
@@ -180,6 +198,13 @@ if (n > 0) {
     if (two)
         out('draw_cycles_1', Math.round((last.draw_1 - first.draw_1) / n));
     out('hidden_percent', Math.round((last.hidden - first.hidden) / (last.draw - first.draw) * 100));
+    if (!two) {
+        out('strips', strips_most - 1); // zs_frame_strip is called once more
+        out('worst_strip', worst_strip);
+        out('worst_strip_cycles', worst);
+    }
+    if (pico.xip)
+        out('flash_misses', Math.round((last.misses - first.misses) / n));
     out('wire_us', Math.round((last.wire - first.wire) / n / 1000));
     out('fps', (n / (last.ns - first.ns) * 1e9).toFixed(1));
 }
