@@ -49,6 +49,7 @@ $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtes
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_explain: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_explain: private override SAN += -Wl,--wrap=zs_render -Wl,--wrap=zs_render_passes
+$(B)/test/test_polygon: $(call t,sim/load/polygon.c sim/cli/sim.c)
 $(B)/test/test_raycast: $(call t,sim/reference/reference.c sim/reference/rays.c)
 $(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c $(FRAME))
 $(B)/test/test_threads $(B)/test/test_golden $(B)/test/test_pieces $(B)/test/test_lanes: $(call t,$(FRAME))

@@ -1,5 +1,5 @@
 /* Loading. assimp reads the file, out of memory, without post-processing; this file checks what it gives, puts
- * nodes in their places, fans polygons from their first corner and welds equal positions.
+ * nodes in their places, cuts polygons into triangles (polygon.c) and welds equal positions.
  *
  * OBJ: assimp is handed the text that sim_obj_scan cleaned. Positions and the order of faces are
  * the scan's own (double precision); colours and normals are assimp's, after a check that both
@@ -22,6 +22,7 @@
 #include "material.h"
 #include "model_shape.h"
 #include "outside.h"
+#include "polygon.h"
 #include "scan.h"
 #include "sim.h"
 #include "simplify.h"
@@ -31,6 +32,22 @@
 #define DEPTH_MAX 256   /* of nodes below nodes */
 
 enum family { FAMILY_OBJ, FAMILY_PLY, FAMILY_STL, FAMILY_OFF, FAMILY_OTHER };
+
+/* One corner of a face, as it will be stored. */
+struct corner {
+    uint32_t point;
+    float normal[3];
+    struct zs_rgb rgb;
+    double uv[2]; /* v down */
+};
+
+/* The face in hand, all [room]. */
+struct polygon {
+    struct corner *corner;
+    double (*point)[3];
+    uint32_t (*tri)[3];
+    unsigned room;
+};
 
 /* The file, and what is known while it is loaded. */
 struct load {
@@ -48,6 +65,7 @@ struct load {
     char complaint[200];         /* of assimp's about indices; else empty */
     struct sim_weld weld;
     size_t face, corner;         /* OBJ: next of the scan */
+    struct polygon polygon;
 };
 
 /* ---- Reading --------------------------------------------------------------------------------- */
@@ -433,14 +451,6 @@ static void count_losses(struct load *l)
     free(used);
 }
 
-/* One corner of a face, as it will be stored. */
-struct corner {
-    uint32_t point;
-    float normal[3];
-    struct zs_rgb rgb;
-    double uv[2]; /* v down */
-};
-
 /* What the faces of one mesh share. */
 struct placement {
     const double *m;   /* [12], to the model's space */
@@ -566,29 +576,37 @@ static int take_corner(struct load *l, const struct aiMesh *mesh, unsigned v,
     return SIM_OK;
 }
 
+static void make_room(struct polygon *p, unsigned n)
+{
+    if (n <= p->room)
+        return;
+    p->room = n;
+    p->corner = sim_grow(p->corner, n, sizeof *p->corner);
+    p->point = sim_grow(p->point, n, sizeof *p->point);
+    p->tri = sim_grow(p->tri, n, sizeof *p->tri);
+}
+
 static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFace *face,
                     const struct placement *at)
 {
     struct sim_model *model = l->model;
-    struct corner first = { 0 }, last = { 0 };
-    const uint32_t first_tri = model->n_tris;
+    struct polygon *const p = &l->polygon;
+    const uint32_t n = face->mNumIndices;
     int has_uv = 1, status = SIM_OK;
-    int ok = l->family != FAMILY_OBJ || (l->face < l->obj.n_faces &&
-                                         l->obj.count[l->face++] == face->mNumIndices);
-    for (unsigned k = 0; ok && k < face->mNumIndices; k++) {
-        struct corner now;
-        status = take_corner(l, mesh, face->mIndices[k], at, &now, &ok, &has_uv);
+    int ok = l->family != FAMILY_OBJ ||
+             (l->face < l->obj.n_faces && l->obj.count[l->face++] == face->mNumIndices);
+    make_room(p, n);
+    for (unsigned k = 0; ok && k < n; k++) {
+        status = take_corner(l, mesh, face->mIndices[k], at, &p->corner[k], &ok, &has_uv);
         if (status != SIM_OK)
             return status;
-        if (k >= 2)
-            add_triangle(model, at, has_uv, &first, &last, &now);
-        if (k == 0)
-            first = now;
-        last = now;
+        memcpy(p->point[k], model->point[p->corner[k].point], sizeof p->point[k]);
     }
-    for (uint32_t t = first_tri; !has_uv && model->uv != NULL && t < model->n_tris; t++) {
-        memset(model->uv[t], 0, sizeof model->uv[t]); /* a later corner has none: none counts */
-        model->has_uv[t] = 0;
+    if (ok) {
+        sim_polygon_cut((const double (*)[3])p->point, n, p->tri);
+        for (unsigned t = 0; t + 2 < n; t++)
+            add_triangle(model, at, has_uv, &p->corner[p->tri[t][0]], &p->corner[p->tri[t][1]],
+                         &p->corner[p->tri[t][2]]);
     }
     return ok ? SIM_OK
               : sim_refuse(l->file, 0,
@@ -658,6 +676,9 @@ static int build(struct load *l)
     model->n_tris = 0;
     status = walk(l, fill_mesh);
     sim_weld_end(&l->weld);
+    free(l->polygon.corner);
+    free(l->polygon.point);
+    free(l->polygon.tri);
     if (status == SIM_OK && l->family == FAMILY_OBJ && l->face != l->obj.n_faces)
         status = sim_refuse(l->file, 0, "the loader gave %zu of %zu faces; please report this file",
                             l->face, l->obj.n_faces);

@@ -32,7 +32,7 @@ struct sim_material {
 struct sim_model {
     const char *file;        /* borrowed: its name, for messages */
     double (*point)[3];      /* [n_points], distinct positions that faces use, model units */
-    uint32_t (*tri)[3];      /* [n_tris], into point; file order, polygons as fans */
+    uint32_t (*tri)[3];      /* [n_tris], into point; file order; polygons cut as polygon.h says */
     float (*normal)[3][3];   /* [n_tris], unit, by corner; NULL: not asked for */
     struct zs_rgb (*rgb)[3]; /* [n_tris], by corner */
     double (*uv)[3][2];      /* [n_tris], by corner: u to the right, v down from the top of the

@@ -11,7 +11,7 @@ work=$build/test/web
 rm -rf "$work"
 mkdir -p "$work"
 
-# A model with two materials, quads, a negative index and numbers that single precision does not hold
+# A model with two materials, quads, a concave polygon, a negative index and numbers that single precision does not hold
 awk 'BEGIN {
     print "mtllib held.mtl"
     for (j = 0; j <= 12; j++)
@@ -27,6 +27,12 @@ awk 'BEGIN {
                 j * 24 + (i + 1) % 24 + 1
     }
     print "f -1 -2 -3"
+    # a star of 16 corners, every other one of which turns inwards, in a plane that leans
+    for (i = 0; i < 16; i++) {
+        a = i * 6.283185307 / 16; r = i % 2 ? 0.35 : 0.9
+        printf "v %.11f %.11f %.11f\n", 100.1 + r * cos(a), 1.5 + 0.3 * r * cos(a), 40.7 + r * sin(a)
+    }
+    print "f -1 -2 -3 -4 -5 -6 -7 -8 -9 -10 -11 -12 -13 -14 -15 -16"
 }' >"$work/held.obj"
 printf 'newmtl clay\nKd 0.8 0.45 0.2\nnewmtl blue\nKd 0.1 0.3 0.7\n' >"$work/held.mtl"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# a face that is not there\nf 1 2 9\n' >"$work/bad.obj"

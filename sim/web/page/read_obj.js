@@ -110,13 +110,13 @@ export function readObj(name, text, other = () => null) {
         } else if (word[0] === 'f') {
             if (word.length < 4) fail(line, `a face of ${word.length - 1} vertices; it needs at least 3`);
             if (materials.length === 0) use('');
-            const fan = [];
+            const face = [];
             for (let k = 1; k < word.length; k++) {
                 const part = word[k].split('/');
                 const p = index(part[0], points.length, 'vertex', line);
                 const t = part.length > 1 && part[1] !== '' ? index(part[1], uvs.length, 'texture', line) : -1;
                 const n = part.length > 2 && part[2] !== '' ? index(part[2], normals.length, 'normal', line) : -1;
-                fan.push(
+                face.push(
                     corners.vertex(
                         `${p}/${t}/${n}`,
                         points[p],
@@ -126,7 +126,7 @@ export function readObj(name, text, other = () => null) {
                     ),
                 );
             }
-            corners.polygon(fan, material);
+            corners.polygon(face, material);
         } else if (word[0] === 'usemtl') {
             use(body.slice(6).trim());
         } else if (word[0] === 'mtllib') {

@@ -17,7 +17,7 @@ function readBinary(name, bytes, corners) {
         there = Math.floor((bytes.length - 84) / 50);
     if (n > there) throw new BadModel(name, 0, `cut off: ${there} of its ${n} faces are there; get the whole file`);
     for (let t = 0; t < n; t++) {
-        const fan = [];
+        const face = [];
         for (let k = 0; k < 3; k++) {
             const at = 84 + 50 * t + 12 + 12 * k;
             const p = [0, 4, 8].map((i) => view.getFloat32(at + i, true));
@@ -27,14 +27,14 @@ function readBinary(name, bytes, corners) {
                     0,
                     `face ${t + 1} has a coordinate that is not finite; export the model again`,
                 );
-            fan.push(corners.vertex(p.join(), p));
+            face.push(corners.vertex(p.join(), p));
         }
-        corners.polygon(fan, 0);
+        corners.polygon(face, 0);
     }
 }
 
 function readText(name, text, corners) {
-    let fan = [];
+    let face = [];
     const lines = text.split(/\r\n|\n|\r/);
     for (let line = 0; line < lines.length; line++) {
         const word = lines[line].trim().split(/\s+/);
@@ -46,12 +46,12 @@ function readText(name, text, corners) {
                     line + 1,
                     `'${lines[line].trim().slice(0, 40)}' is not a vertex of three numbers`,
                 );
-            fan.push(corners.vertex(p.join(), p));
+            face.push(corners.vertex(p.join(), p));
         } else if (word[0] === 'endloop') {
-            if (fan.length < 3)
-                throw new BadModel(name, line + 1, `a face of ${fan.length} vertices; it needs at least 3`);
-            corners.polygon(fan, 0);
-            fan = [];
+            if (face.length < 3)
+                throw new BadModel(name, line + 1, `a face of ${face.length} vertices; it needs at least 3`);
+            corners.polygon(face, 0);
+            face = [];
         }
     }
     if (!/endsolid[^\n]*\s*$/.test(text))

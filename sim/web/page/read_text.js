@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: MIT
  */
 
+import { cutPolygon } from './polygon.js';
+
 /** A file that is not taken. The message is one sentence: what is wrong, where, and what to do. */
 export class BadModel extends Error {
     /** @param {string} file @param {number} line 0: none @param {string} why */
@@ -44,10 +46,12 @@ export class Corners {
         return n;
     }
 
-    /** A polygon as a fan from its first corner. */
+    /** A polygon: its vertices, in order. */
     polygon(corners, material) {
-        for (let i = 2; i < corners.length; i++) {
-            this.indices.push(corners[0], corners[i - 1], corners[i]);
+        const at = (n) => [this.positions[3 * n], this.positions[3 * n + 1], this.positions[3 * n + 2]];
+        const triangles = corners.length > 3 ? cutPolygon(corners.map(at)) : [[0, 1, 2]];
+        for (const t of triangles) {
+            this.indices.push(corners[t[0]], corners[t[1]], corners[t[2]]);
             this.triMaterial.push(material);
         }
     }
