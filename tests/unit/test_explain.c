@@ -599,6 +599,12 @@ static void uv_bits_0(struct world *w)
     w->cube.uv_bits = 0;
 }
 
+static void not_read(struct world *w)
+{
+    world_shaded(w, &zs_shade_flat);
+    w->texture.log2_w = 222;
+}
+
 static void few_colours(struct world *w)
 {
     w->texture.n_colors = 1;
@@ -686,6 +692,7 @@ static const struct mistake wrong[] = {
     { "uv 0 and 1", textured, uv_as_ones, ZS_OK,
       "instance 0: mesh.uv spans less than a texel: 4096 is all of the texture with uv_bits 12" },
     { "uv_bits 0", textured, uv_bits_0, ZS_OK, "instance 0: mesh.uv repeats the texture 4096 times: uv_bits is 0" },
+    { "a texture that no shader reads", NULL, not_read, ZS_OK, "instance 0: its texture has " },
     { "n_colors", textured, few_colours, ZS_OK,
       "instance 0: its texture has a texel that its palette does not hold (number 1)" },
     { "no depth memory", two_without_depth, near_first, ZS_OK, "instance 1 is behind instance 0 and drawn over it" },
@@ -771,6 +778,12 @@ static void camera_near_0(struct world *w)
 static void camera_far(struct world *w)
 {
     w->camera.z_far = w->camera.z_near;
+}
+
+static void camera_ends(struct world *w)
+{
+    w->camera.z_near = INT64_MIN;
+    w->camera.z_far = INT64_MAX;
 }
 
 static void camera_focal(struct world *w)
@@ -904,6 +917,8 @@ static void painter_with_depth(struct world *w)
 static const struct mistake refused[] = {
     { "near 0", NULL, camera_near_0, ZS_ERR_CAMERA, "the camera is refused: near = 0 and far = 0" },
     { "far", NULL, camera_far, ZS_ERR_CAMERA, "the camera is refused: near = 1000 and far = 1000" },
+    { "near and far, the least and the most", NULL, camera_ends, ZS_ERR_CAMERA,
+      "the camera is refused: near = -140737488355328 and far = 140737488355328" },
     { "focal", NULL, camera_focal, ZS_ERR_CAMERA, "the camera is refused: its focal length is 0 px" },
     { "camera.rot", NULL, camera_rot, ZS_ERR_CAMERA, "the camera is refused: rot is no rotation" },
     { "ambient", NULL, light_256, ZS_ERR_RANGE, "the light is refused: ambient is 16777216" },

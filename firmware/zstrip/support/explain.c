@@ -49,18 +49,20 @@ static void put_number(struct zs_explainer *e, int64_t v)
         put(e, digit[--n]);
 }
 
-/* A length in world units: three decimals below 10, none above. |v| < 2^60 */
+/* A length in world units: three decimals below 10, none above. Any v: a refused camera may hold
+ * anything. */
 static void put_length(struct zs_explainer *e, zs_q48_16 v)
 {
-    const int64_t size = zs_size64(v);
-    const int64_t thousandths = size < 10 * 65536 ? (size * 1000 + 32768) >> 16 : 0;
+    const uint64_t size = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
+    const int small = size < 10 * 65536;
+    const uint32_t thousandths = small ? (uint32_t)((size * 1000u + 32768u) >> 16) : 0;
     if (v < 0)
         put(e, '-');
-    put_number(e, size < 10 * 65536 ? thousandths / 1000 : (size + 32768) >> 16);
-    int64_t rest = thousandths % 1000;
+    put_number(e, (int64_t)(small ? thousandths / 1000u : (size + 32768u) >> 16));
+    uint32_t rest = thousandths % 1000u;
     if (rest)
         put(e, '.');
-    for (int64_t unit = 100; rest; rest %= unit, unit /= 10)
+    for (uint32_t unit = 100; rest; rest %= unit, unit /= 10u)
         put(e, (char)('0' + rest / unit));
 }
 

@@ -316,8 +316,9 @@ static void say_uv(struct zs_explainer *e, uint32_t i)
     const struct zs_mesh *const m = e->scene->instance[i].mesh;
     const struct zs_texture *const x = e->scene->instance[i].material->texture;
     int32_t span[2] = { 0, 0 };
-    if (!m->uv || m->uv_bits > 15u)
-        return;
+    if (!m->uv || m->uv_bits > 15u || x->log2_w > ZS_TEXTURE_LOG2_MAX ||
+        x->log2_h > ZS_TEXTURE_LOG2_MAX)
+        return; /* say_texture says it */
     for (int k = 0; k < 2; k++) {
         int32_t least = 32767, most = -32768;
         for (uint32_t v = 0; v < m->n_verts; v++) {
