@@ -26,22 +26,28 @@ typedef int case_fn(uint64_t seed);
 void cases_run(const char *test, case_fn *fn, uint64_t n);
 #define CASES(fn, n) cases_run(__func__, fn, n)
 
+/* What cases count, so that it is known that they met it often enough. */
+struct cases_count {
+    const char *what; /* as it is printed behind the figure */
+    unsigned *count;
+    unsigned least; /* it is more than this in the end, where all cases are run */
+};
+
 /* A row of a program's table of tests that is nothing but cases: its name, and what CASES takes. */
 struct cases {
     const char *test;
     case_fn *fn;
     uint64_t n;
-    unsigned *count; /* what they count; NULL: nothing */
-    unsigned least;  /* it is more than this in the end, where all are run */
-    const char *what;
+    const struct cases_count *counts; /* set to 0 before the first case; an entry without `what` is the end */
 };
 void cases_test(void **state); /* *state: a struct cases */
-#define CASES_TEST(name_, fn_, n_) CASES_COUNT(name_, fn_, n_, NULL, 0, NULL)
-/* The same where cases count what they met, so that it is known that they met it often enough. */
-#define CASES_COUNT(name_, fn_, n_, count_, least_, what_) \
+#define CASES_TEST(name_, fn_, n_) CASES_COUNTS(name_, fn_, n_, { NULL, NULL, 0 })
+#define CASES_COUNT(name_, fn_, n_, count_, least_, what_) CASES_COUNTS(name_, fn_, n_, { what_, count_, least_ })
+/* Counts as initialisers of struct cases_count: CASES_COUNTS(test, fn, n, { "walks", &walks, 100 }, ...) */
+#define CASES_COUNTS(name_, fn_, n_, ...) \
     { .name = #name_, \
       .test_func = cases_test, \
-      .initial_state = &(struct cases){ #name_, fn_, n_, count_, least_, what_ } }
+      .initial_state = &(struct cases){ #name_, fn_, n_, (const struct cases_count[]){ __VA_ARGS__, { NULL, NULL, 0 } } } }
 
 /* Say what is wrong; always 0, to be returned. */
 int case_wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));

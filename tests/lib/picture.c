@@ -184,6 +184,36 @@ int picture_same(const struct picture *a, const struct picture *b, const char *n
     return 1;
 }
 
+static int freed(struct picture *want, struct picture *is, int alike)
+{
+    picture_free(want);
+    picture_free(is);
+    return alike;
+}
+
+int picture_drawn_alike(struct picture *want, struct picture *is, const char *name)
+{
+    return freed(want, is, picture_same(want, is, name));
+}
+
+int picture_alike(struct picture *want, struct picture *is, const char *name)
+{
+    return freed(want, is, (want->err && want->err == is->err) || picture_same(want, is, name));
+}
+
+int picture_ways_alike(struct prng *p, struct zs_config config, const struct zs_scene *scene,
+                       const struct zs_camera *camera, int32_t tris, int32_t verts, struct zs_stats stats[2])
+{
+    struct picture want = picture_draw(&config, scene, camera);
+    picture_any_way(p, &config, tris, verts);
+    struct picture is = picture_draw(&config, scene, camera);
+    if (stats) {
+        stats[0] = want.stats;
+        stats[1] = is.stats;
+    }
+    return picture_alike(&want, &is, "another way");
+}
+
 int stats_add_up(const struct zs_stats *s)
 {
     return s->tris_in == s->tris_drawn + s->tris_frustum + s->tris_cluster + s->tris_near + s->tris_far +

@@ -24,10 +24,10 @@ struct picture {
     struct zs_stats stats;
 };
 
-/* Room for everything in one pass, one strip buffer, one strip, all accelerators. */
 /* zs_damage_compare with sums of their own, of which nothing is known: `memory` is as in zs_strip_hashes_init. */
 int watch_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns);
 
+/* Room for everything in one pass, one strip buffer, one strip, all accelerators. */
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth);
 /* Another way to draw the same frame: strips, buffers, accelerators, and mostly small pools, of at least so many triangles
  * and vertices. */
@@ -40,6 +40,14 @@ struct picture picture_passes(const struct zs_config *config, const struct zs_pa
 void picture_free(struct picture *p);
 /* 1: same size, colours and keys. Else say where they differ first, with a name for the case. */
 int picture_same(const struct picture *a, const struct picture *b, const char *name);
+/* The same for two pictures that are of no use afterwards: both are freed, their statistics stay. */
+int picture_drawn_alike(struct picture *want, struct picture *is, const char *name);
+/* ... where it is right, too, that both were refused with the same error. */
+int picture_alike(struct picture *want, struct picture *is, const char *name);
+/* 1: a world, or any scene, is drawn alike by config and in another way (picture_any_way, with its tris and verts).
+ * stats: of both; NULL: not wanted. */
+int picture_ways_alike(struct prng *p, struct zs_config config, const struct zs_scene *scene,
+                       const struct zs_camera *camera, int32_t tris, int32_t verts, struct zs_stats stats[2]);
 /* 1: tris_in is tris_drawn and all rejects. */
 int stats_add_up(const struct zs_stats *s);
 

@@ -100,12 +100,6 @@ static int orbit_case(uint64_t seed)
     return 1;
 }
 
-static void orbit_against_doubles(void **state)
-{
-    (void)state;
-    CASES(orbit_case, 10000);
-}
-
 static int focal_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -120,12 +114,6 @@ static int focal_case(uint64_t seed)
     if (fabs(want - got) > bound)
         return case_wrong("fov %u, %u px: focal %.9f, not %.9f", fov, height, got, want);
     return 1;
-}
-
-static void focal_length_against_doubles(void **state)
-{
-    (void)state;
-    CASES(focal_case, 20000);
 }
 
 static void cameras_refused_by_name(void **state)
@@ -175,8 +163,8 @@ static void cameras_refused_by_name(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(look_at_against_doubles),
-    cmocka_unit_test(orbit_against_doubles),
-    cmocka_unit_test(focal_length_against_doubles),
+    CASES_TEST(orbit_against_doubles, orbit_case, 10000),
+    CASES_TEST(focal_length_against_doubles, focal_case, 20000),
     cmocka_unit_test(cameras_refused_by_name)
 };
 

@@ -8,6 +8,7 @@
 
 #include "cases.h"
 #include "fast_lists.h"
+#include "method_needs.h"
 #include "../lab/fuzz/world.h"
 #include "own.h"
 #include "picture.h"
@@ -217,16 +218,6 @@ static int exact_case(uint64_t seed)
     return right;
 }
 
-static void shows_the_nearest_exactly(void **state)
-{
-    (void)state;
-    splits = walks = changes = 0;
-    CASES(exact_case, CUT_EXACT);
-    printf("%u splits, %u scenes in several walks\n", splits, walks);
-    if (!getenv("ZS_SEED"))
-        assert_true(splits > CUT_EXACT / 3 && walks > CUT_EXACT / 20);
-}
-
 /* ---- Against the depth buffer ----------------------------------------------------------------- */
 
 static struct picture lone_picture[TRIS];
@@ -284,16 +275,6 @@ static int buffer_case(uint64_t seed)
     return right;
 }
 
-static void agrees_with_the_depth_buffer(void **state)
-{
-    (void)state;
-    splits = changes = 0;
-    CASES(buffer_case, CUT_BUFFER);
-    printf("%u splits, %u pixels within a bucket\n", splits, changes);
-    if (!getenv("ZS_SEED"))
-        assert_true(splits > CUT_BUFFER);
-}
-
 /* ---- Any pools, any strips, any accelerators -------------------------------------------------- */
 
 static unsigned again;
@@ -308,27 +289,13 @@ static int way_case(uint64_t seed)
                            .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
                            .depth = &zs_depth_order };
     c.method = any_method(&p);
+    struct zs_stats stats[2];
     c.strip_h = c.height;
-    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
-    picture_any_way(&p, &c, 2, 6);
-    struct picture is = picture_draw(&c, &w.scene, &w.camera);
-    const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
-    again += is.stats.passes > is.stats.strips;
-    splits += ample.stats.splits;
-    picture_free(&ample);
-    picture_free(&is);
+    const int right = picture_ways_alike(&p, c, &w.scene, &w.camera, 2, 6, stats);
+    again += stats[1].passes > stats[1].strips;
+    splits += stats[0].splits;
     world_free(&w);
     return right;
-}
-
-static void is_the_same_in_any_way(void **state)
-{
-    (void)state;
-    again = splits = 0;
-    CASES(way_case, CUT_WAYS);
-    printf("%u splits, %u scenes in several walks\n", splits, again);
-    if (!getenv("ZS_SEED"))
-        assert_true(again > CUT_WAYS / 4);
 }
 
 /* ---- What it costs ---------------------------------------------------------------------------- */
@@ -502,31 +469,20 @@ static void only_what_changed_may_be_drawn(void **state)
 
 static void small_pools_and_other_mappings_are_refused(void **state)
 {
-    const struct zs_camera camera = flat_camera();
     (void)state;
-    quad(0, 0, 0, 1000, 0);
-    mesh_set(1);
     for (int both = 0; both < 2; both++)
-        for (uint16_t tris = 1; tris <= 2; tris++)
-            for (uint16_t verts = 5; verts <= 6; verts++) {
-                struct zs_config c = picture_config(SIDE, SIDE, &zs_depth_order);
-                c.method = both ? &zs_method_coverage : &zs_method_depthsort;
-                c.max_tris = tris;
-                c.max_verts = verts;
-                struct picture is = picture_draw(&c, &scene, &camera);
-                assert_int_equal(is.err, tris == 2 && verts == 6 ? ZS_OK : ZS_ERR_SIZE);
-                picture_free(&is);
-                c.depth = tris == 1 ? &zs_depth_none : &zs_depth_linear;
-                is = picture_draw(&c, &scene, &camera);
-                assert_int_equal(is.err, ZS_ERR_DEPTH);
-                picture_free(&is);
-            }
+        for (int none = 0; none < 2; none++)
+            assert_method_needs(both ? &zs_method_coverage : &zs_method_depthsort, &zs_depth_order,
+                                none ? &zs_depth_none : &zs_depth_linear, 2);
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(shows_the_nearest_exactly),
-    cmocka_unit_test(agrees_with_the_depth_buffer),
-    cmocka_unit_test(is_the_same_in_any_way),
+    CASES_COUNTS(shows_the_nearest_exactly, exact_case, CUT_EXACT,
+                 { "splits", &splits, CUT_EXACT / 3 }, { "walks", &walks, CUT_EXACT / 20 }),
+    CASES_COUNTS(agrees_with_the_depth_buffer, buffer_case, CUT_BUFFER,
+                 { "splits", &splits, CUT_BUFFER }, { "pixels within a bucket", &changes, 0 }),
+    CASES_COUNTS(is_the_same_in_any_way, way_case, CUT_WAYS,
+                 { "scenes in several walks", &again, CUT_WAYS / 4 }, { "splits", &splits, 0 }),
     cmocka_unit_test(costs_n_log_n_where_depths_are_apart),
     cmocka_unit_test(splits_are_counted),
     cmocka_unit_test(shows_the_worst_case),

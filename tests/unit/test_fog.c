@@ -158,14 +158,6 @@ static int key_case(uint64_t seed)
     return 1;
 }
 
-static void fog_is_that_of_the_distance(void **state)
-{
-    set = mixed = 0;
-    CASES(key_case, 1000);
-    if (!getenv("ZS_SEED"))
-        assert_true(set > 850 && mixed > 30000);
-}
-
 /* ---- A scene ------------------------------------------------------------------------------------ */
 
 /* A floor, seen along: a row's distance is known. */
@@ -255,20 +247,9 @@ static int way_case(uint64_t seed)
     other = plain;
     picture_any_way(&p, &other, 12, 12);
     struct picture a = picture_draw(&plain, &w.scene, &w.camera), b = picture_draw(&other, &w.scene, &w.camera);
-    const int same = a.err == b.err && (a.err || picture_same(&a, &b, "hooks"));
     set += !a.err && w.scene.n_resolves;
-    picture_free(&a);
-    picture_free(&b);
     world_free(&w);
-    return same ? 1 : case_wrong("another picture");
-}
-
-static void any_way_draws_the_same(void **state)
-{
-    set = 0;
-    CASES(way_case, 100);
-    if (!getenv("ZS_SEED"))
-        assert_true(set > 30);
+    return picture_alike(&a, &b, "hooks");
 }
 
 /* ---- What is wrong, what changes ----------------------------------------------------------------- */
@@ -328,8 +309,11 @@ static void fog_without_keys_and_changes(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(fog_is_that_of_the_distance),  cmocka_unit_test(a_floor_in_fog),
-    cmocka_unit_test(any_way_draws_the_same),       cmocka_unit_test(wrong_fog_is_named),
+    CASES_COUNTS(fog_is_that_of_the_distance, key_case, 1000,
+                 { "scenes", &set, 850 }, { "pixels that are mixed", &mixed, 30000 }),
+    cmocka_unit_test(a_floor_in_fog),
+    CASES_COUNTS(any_way_draws_the_same, way_case, 100, { "scenes", &set, 30 }),
+    cmocka_unit_test(wrong_fog_is_named),
     cmocka_unit_test(fog_without_keys_and_changes),
 };
 CASES_MAIN(tests)

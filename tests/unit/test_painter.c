@@ -8,6 +8,7 @@
 
 #include "cases.h"
 #include "fast_lists.h"
+#include "method_needs.h"
 #include "../lab/fuzz/world.h"
 #include "own.h"
 #include "picture.h"
@@ -82,21 +83,9 @@ static int single_case(uint64_t seed)
     c.method = &zs_method_painter;
     picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &scene, &camera);
-    const int right = !want.err && !is.err && picture_same(&want, &is, "single triangles");
     walks += is.stats.passes;
     sets_drawn += is.stats.tris_drawn;
-    picture_free(&want);
-    picture_free(&is);
-    return right || case_wrong("errors %d and %d", want.err, is.err);
-}
-
-static void is_that_of_single_triangles(void **state)
-{
-    (void)state;
-    walks = sets_drawn = 0;
-    CASES(single_case, 300);
-    if (!getenv("ZS_SEED"))
-        assert_true(walks > 10000 && sets_drawn > 5000);
+    return picture_drawn_alike(&want, &is, "single triangles");
 }
 
 /* ---- Any pools, any mapping ------------------------------------------------------------------- */
@@ -111,57 +100,26 @@ static int way_case(uint64_t seed)
     struct zs_config c = { .width = (uint16_t)prng_range(&p, 1, 90), .height = (uint16_t)prng_range(&p, 1, 70),
                            .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
                            .depth = &zs_depth_none, .method = &zs_method_painter };
+    struct zs_stats stats[2];
     c.strip_h = c.height;
-    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
-    picture_any_way(&p, &c, 2, 6);
-    struct picture is = picture_draw(&c, &w.scene, &w.camera);
-    const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
-    again += is.stats.passes > is.stats.strips;
-    picture_free(&ample);
-    picture_free(&is);
+    const int right = picture_ways_alike(&p, c, &w.scene, &w.camera, 2, 6, stats);
+    again += stats[1].passes > stats[1].strips;
     world_free(&w);
     return right;
-}
-
-static void is_the_same_in_any_way(void **state)
-{
-    (void)state;
-    again = 0;
-    CASES(way_case, 200);
-    if (!getenv("ZS_SEED"))
-        assert_true(again > 50);
 }
 
 /* ---- What is refused ------------------------------------------------------------------------- */
 
 static void small_pools_and_depth_memory_are_refused(void **state)
 {
-    static const int16_t corner[3][3] = { { 0, 0, -2000 }, { 900, 0, -2000 }, { 0, 900, -2000 } };
-    struct lone l;
-    struct zs_camera camera;
     (void)state;
-    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 100, 40000), ZS_OK);
-    struct zs_config with_memory = picture_config(64, 48, &zs_depth_float);
-    with_memory.method = &zs_method_painter;
-    struct picture none = picture_draw(&with_memory, &(struct zs_scene){ .n_instances = 0 }, &camera);
-    assert_int_equal(none.err, ZS_ERR_DEPTH);
-    picture_free(&none);
-    lone_set(&l, corner, 3, ZS_Q16_ONE);
-    for (uint16_t tris = 1; tris <= 2; tris++)
-        for (uint16_t verts = 5; verts <= 6; verts++) {
-            struct zs_config c = picture_config(64, 48, &zs_depth_none);
-            c.method = &zs_method_painter;
-            c.max_tris = tris;
-            c.max_verts = verts;
-            struct picture is = picture_draw(&c, &l.scene, &camera);
-            assert_int_equal(is.err, tris == 2 && verts == 6 ? ZS_OK : ZS_ERR_SIZE);
-            picture_free(&is);
-        }
+    assert_method_needs(&zs_method_painter, &zs_depth_none, &zs_depth_float, 2);
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(is_that_of_single_triangles),
-    cmocka_unit_test(is_the_same_in_any_way),
+    CASES_COUNTS(is_that_of_single_triangles, single_case, 300,
+                 { "walks", &walks, 10000 }, { "triangles drawn", &sets_drawn, 5000 }),
+    CASES_COUNTS(is_the_same_in_any_way, way_case, 200, { "scenes in several walks", &again, 50 }),
     cmocka_unit_test(small_pools_and_depth_memory_are_refused)
 };
 

@@ -315,11 +315,6 @@ static int window_case(uint64_t seed)
     return 1;
 }
 
-static void rectangles_send_their_window_and_no_more(void **state)
-{
-    CASES(window_case, 4 * N_SHEETS * 4);
-}
-
 /* Glass of any size anywhere in the RAM: mirrored, what is left of the RAM on its other side comes first. */
 static void glass_of_ones_own(void **state)
 {
@@ -945,7 +940,7 @@ static void settings_outlive_failures(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(rectangles_send_their_window_and_no_more),
+    CASES_TEST(rectangles_send_their_window_and_no_more, window_case, 4 * N_SHEETS * 4),
     cmocka_unit_test(glass_of_ones_own),
     cmocka_unit_test(colour_is_not_copied),
     cmocka_unit_test(conversion_is_the_formula),

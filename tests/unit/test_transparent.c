@@ -8,6 +8,7 @@
 
 #include "../lab/fuzz/world.h"
 #include "cases.h"
+#include "method_needs.h"
 #include "own.h"
 #include "picture.h"
 #include "zs_blend.h"
@@ -120,20 +121,8 @@ static int single_case(uint64_t seed)
     c.method = &zs_method_transparent;
     picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &scene, &camera);
-    const int right = !want.err && !is.err && picture_same(&want, &is, "single triangles");
     walks += is.stats.passes;
-    picture_free(&want);
-    picture_free(&is);
-    return right || case_wrong("errors %d and %d", want.err, is.err);
-}
-
-static void is_that_of_single_triangles(void **state)
-{
-    (void)state;
-    walks = layers_drawn = 0;
-    CASES(single_case, 400);
-    if (!getenv("ZS_SEED"))
-        assert_true(walks > 10000 && layers_drawn > 3000);
+    return picture_drawn_alike(&want, &is, "single triangles");
 }
 
 /* The painter's algorithm with the same materials: all of them from far to near. */
@@ -168,16 +157,7 @@ static int painter_case(uint64_t seed)
     c.method = &zs_method_painter;
     picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &scene, &camera);
-    const int right = !want.err && !is.err && picture_same(&want, &is, "by the painter");
-    picture_free(&want);
-    picture_free(&is);
-    return right || case_wrong("errors %d and %d", want.err, is.err);
-}
-
-static void painter_blends_from_far_to_near(void **state)
-{
-    (void)state;
-    CASES(painter_case, 100);
+    return picture_drawn_alike(&want, &is, "by the painter");
 }
 
 /* ---- Any pools, any mapping ------------------------------------------------------------------- */
@@ -218,14 +198,10 @@ static int way_case(uint64_t seed)
                            .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
                            .depth = w.camera.projection ? &zs_depth_linear : &zs_depth_float,
                            .method = &zs_method_transparent };
+    struct zs_stats stats[2];
     c.strip_h = c.height;
-    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
-    picture_any_way(&p, &c, 2, 6);
-    struct picture is = picture_draw(&c, &w.scene, &w.camera);
-    const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
-    again += is.stats.passes > is.stats.strips;
-    picture_free(&ample);
-    picture_free(&is);
+    const int right = picture_ways_alike(&p, c, &w.scene, &w.camera, 2, 6, stats);
+    again += stats[1].passes > stats[1].strips;
     world_free(&w);
     return right;
 }
@@ -270,15 +246,6 @@ static int skip_case(uint64_t seed)
     return ok;
 }
 
-static void is_the_same_in_any_way(void **state)
-{
-    (void)state;
-    again = 0;
-    CASES(way_case, 80);
-    if (!getenv("ZS_SEED"))
-        assert_true(again > 20);
-}
-
 /* A scene without layers is the depth buffer's. */
 static int opaque_case(uint64_t seed)
 {
@@ -291,17 +258,8 @@ static int opaque_case(uint64_t seed)
     c.method = &zs_method_transparent;
     picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &w.scene, &w.camera);
-    const int right = want.err == is.err && (want.err || picture_same(&want, &is, "the depth buffer"));
-    picture_free(&want);
-    picture_free(&is);
     world_free(&w);
-    return right;
-}
-
-static void without_layers_is_the_depth_buffer(void **state)
-{
-    (void)state;
-    CASES(opaque_case, 150);
+    return picture_alike(&want, &is, "the depth buffer");
 }
 
 /* ---- Thousands of layers ---------------------------------------------------------------------- */
@@ -443,57 +401,30 @@ static int depthsort_case(uint64_t seed)
     struct zs_config c = picture_config(prng_range(&p, 1, 12), prng_range(&p, 1, 9), &zs_depth_order);
     c.varyings = ZS_VARYINGS_MAX;
     c.method = &zs_method_depthsort;
-    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
-    picture_any_way(&p, &c, 2, 6);
-    struct picture is = picture_draw(&c, &w.scene, &w.camera);
-    const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
-    picture_free(&ample);
-    picture_free(&is);
+    const int right = picture_ways_alike(&p, c, &w.scene, &w.camera, 2, 6, NULL);
     world_free(&w);
     return right;
-}
-
-static void depth_sort_blends_the_same_in_any_way(void **state)
-{
-    (void)state;
-    CASES(depthsort_case, 15);
 }
 
 /* ---- What is refused ------------------------------------------------------------------------- */
 
 static void small_pools_and_no_depth_memory_are_refused(void **state)
 {
-    static const int16_t corner[3][3] = { { 0, 0, -2000 }, { 900, 0, -2000 }, { 0, 900, -2000 } };
-    struct lone l;
-    struct zs_camera camera;
     (void)state;
-    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 100, 40000), ZS_OK);
-    lone_set(&l, corner, 3, ZS_Q16_ONE);
-    struct zs_config without = picture_config(64, 48, &zs_depth_none);
-    without.method = &zs_method_transparent;
-    struct picture none = picture_draw(&without, &l.scene, &camera);
-    assert_int_equal(none.err, ZS_ERR_DEPTH);
-    picture_free(&none);
-    for (uint16_t tris = 1; tris <= 2; tris++)
-        for (uint16_t verts = 5; verts <= 6; verts++) {
-            struct zs_config c = picture_config(64, 48, &zs_depth_float);
-            c.method = &zs_method_transparent;
-            c.max_tris = tris;
-            c.max_verts = verts;
-            struct picture is = picture_draw(&c, &l.scene, &camera);
-            assert_int_equal(is.err, tris == 2 && verts == 6 ? ZS_OK : ZS_ERR_SIZE);
-            picture_free(&is);
-        }
+    assert_method_needs(&zs_method_transparent, &zs_depth_float, &zs_depth_none, 2);
 }
 
-static const struct CMUnitTest tests[] = { cmocka_unit_test(is_that_of_single_triangles),
-                                           cmocka_unit_test(painter_blends_from_far_to_near),
-                                           CASES_TEST(the_same_with_strips_left_out, skip_case, 60),
-                                           cmocka_unit_test(is_the_same_in_any_way),
-                                           cmocka_unit_test(without_layers_is_the_depth_buffer),
-                                           cmocka_unit_test(stress_43_thousands_of_layers),
-                                           cmocka_unit_test(faces_that_cross_need_depth_sort),
-                                           cmocka_unit_test(depth_sort_blends_the_same_in_any_way),
-                                           cmocka_unit_test(small_pools_and_no_depth_memory_are_refused) };
+static const struct CMUnitTest tests[] = {
+    CASES_COUNTS(is_that_of_single_triangles, single_case, 400,
+                 { "walks", &walks, 10000 }, { "layers drawn", &layers_drawn, 3000 }),
+    CASES_TEST(painter_blends_from_far_to_near, painter_case, 100),
+    CASES_TEST(the_same_with_strips_left_out, skip_case, 60),
+    CASES_COUNTS(is_the_same_in_any_way, way_case, 80, { "scenes in several walks", &again, 20 }),
+    CASES_TEST(without_layers_is_the_depth_buffer, opaque_case, 150),
+    cmocka_unit_test(stress_43_thousands_of_layers),
+    cmocka_unit_test(faces_that_cross_need_depth_sort),
+    CASES_TEST(depth_sort_blends_the_same_in_any_way, depthsort_case, 15),
+    cmocka_unit_test(small_pools_and_no_depth_memory_are_refused),
+};
 
 CASES_MAIN(tests)

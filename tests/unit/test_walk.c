@@ -233,22 +233,6 @@ static int scene_of(uint64_t seed, int clusters)
 static int scene_case(uint64_t seed) { return scene_of(seed, 0); }
 static int cluster_case(uint64_t seed) { return scene_of(seed, 1); }
 
-static void small_pools_count_the_same(void **state)
-{
-    passes = clipped = most_used = 0;
-    CASES(scene_case, 200);
-    print_message("%u passes, %u triangles clipped, ample pools held up to %u\n", passes, clipped, most_used);
-    assert_true(getenv("ZS_SEED") || (passes > 10000 && clipped > 5000));
-}
-
-static void clusters_with_small_pools(void **state)
-{
-    passes = out = 0;
-    CASES(cluster_case, 120);
-    print_message("%u passes, %u clusters left out\n", passes, out);
-    assert_true(getenv("ZS_SEED") || (passes > 5000 && out > 500));
-}
-
 /* One triangle a pass, in scene order: of equal keys the first stays, in whichever set it is. */
 static void the_first_of_equals_stays_in_any_set(void **state)
 {
@@ -279,8 +263,11 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_fan_goes_on_with_its_next_piece),
     CASES_COUNT(a_cut_vertex_stays_in_the_guard_band, guard_case, 3000,
                 &held, 200, "corners at the edge of the guard band"),
-    cmocka_unit_test(small_pools_count_the_same),
-    cmocka_unit_test(clusters_with_small_pools),
+    CASES_COUNTS(small_pools_count_the_same, scene_case, 200,
+                 { "passes", &passes, 10000 }, { "triangles clipped", &clipped, 5000 },
+                 { "triangles at most in ample pools", &most_used, 0 }),
+    CASES_COUNTS(clusters_with_small_pools, cluster_case, 120,
+                 { "passes", &passes, 5000 }, { "clusters left out", &out, 500 }),
     cmocka_unit_test(the_first_of_equals_stays_in_any_set),
 };
 

@@ -168,13 +168,6 @@ static int project_case(uint64_t seed)
     return 1;
 }
 
-static void projection_is_the_exact_product_rounded_once(void **state)
-{
-    CASES(project_case, 10000);
-    print_message("%u orthographic scenes smaller than a sub-pixel\n", tiny);
-    assert_true(getenv("ZS_SEED") || tiny >= 5);
-}
-
 /* ---- In one go (fast/screen.c) -------------------------------------------------------------------- */
 
 static uint32_t inside, outside, untested; /* vertices; settings in which none needs a test */
@@ -226,14 +219,6 @@ static int screen_case(uint64_t seed)
         *(out ? &outside : &inside) += 1;
     }
     return 1;
-}
-
-static void in_one_go_as_one_by_one(void **state)
-{
-    inside = outside = untested = 0;
-    CASES(screen_case, 20000);
-    print_message("%u vertices inside, %u outside; %u meshes without a test\n", inside, outside, untested);
-    assert_true(getenv("ZS_SEED") || (inside > 10000 && outside > 10000 && untested > 1000));
 }
 
 /* ---- Light --------------------------------------------------------------------------------------- */
@@ -302,8 +287,11 @@ static void focal_lengths_keep_their_bits(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(focal_lengths_keep_their_bits),
     cmocka_unit_test(vertices_are_the_exact_sum_rounded_once),
-    cmocka_unit_test(projection_is_the_exact_product_rounded_once),
-    cmocka_unit_test(in_one_go_as_one_by_one),
+    CASES_COUNTS(projection_is_the_exact_product_rounded_once, project_case, 10000,
+                 { "orthographic scenes smaller than a sub-pixel", &tiny, 4 }),
+    CASES_COUNTS(in_one_go_as_one_by_one, screen_case, 20000,
+                 { "vertices inside", &inside, 10000 }, { "vertices outside", &outside, 10000 },
+                 { "meshes without a test", &untested, 1000 }),
     CASES_TEST(light_is_the_exact_product_rounded_once, light_case, 3000)
 };
 
