@@ -171,7 +171,8 @@ $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 
 # Mutants (tests/lab/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers,
 # all in one program; make test links it as well
-MUTATE_NOT = explain.c linux.c pair.c examples.c help.c model_pack.c panel.c panel_model.c panel_bytes.c panel_picture.c
+MUTATE_NOT = explain.c linux.c pair.c examples.c help.c model_pack.c polygon.c panel.c panel_model.c panel_bytes.c \
+             panel_picture.c
 MUTATE_FILES = $(filter-out $(MUTATE_NOT:%=\%/test_%),$(TESTS))
 MUTATE_TESTS = $(basename $(notdir $(MUTATE_FILES)))
 MUTATE_SIM = sim/frame/pixel_counts.c sim/frame/demo_frame.c $(FRAME) sim/reference/reference.c sim/reference/rays.c
