@@ -17,7 +17,8 @@
 #define SHOW_HEIGHT 240
 #endif
 
-/* The panel: a type of panel.h. Its glass shows the picture alone, or is larger and shows it from SHOW_X, SHOW_Y on. */
+/* The panel: a type of panel.h. Its glass shows the picture alone, or is larger and shows it from SHOW_X, SHOW_Y on.
+ * What its wire may take is the board's to know: SPI_DIVIDER or SPI_MHZ in pins.h. */
 #ifndef SHOW_PANEL
 #define SHOW_PANEL panel_st7789
 #endif

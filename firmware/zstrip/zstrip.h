@@ -13,7 +13,6 @@
  *     zs_blend.h   transparency            zs_filter.h  filters, mipmaps, cut-outs
  *     zs_shadow.h  shadows                 zs_environment.h  mirrors, skies, environment maps
  *     zs_supersample.h  four samples a pixel
- *     zs_overlay.h text, sprites, gauges   zs_fog.h     zs_dither.h
  *     zs_check.h   check meshes and textures that cannot be trusted
  *     zs_explain.h what is wrong with a black, dark or slow picture, in sentences
  *     zs_overlay.h sprites, text, lines, bars and dials over the picture
