@@ -14,6 +14,7 @@
 #include "option_help.h"
 #include "option_table.h"
 #include "record_sizes.h"
+#include "scene_file.h"
 #include "sim.h"
 #include "simplify.h"
 #include "zs_damage.h"
@@ -41,7 +42,8 @@ static const struct sim_option table[] = {
     { "--track", SIM_OPTION_COUNT, AT(track), 0, 0, 65535,
       .help = "instances that zs_damage_track compares (0: not linked)" },
     { "Scene: a demo scene or a model, drawn here and counted, or else numbers", SIM_OPTION_HEADING },
-    { "--scene", SIM_OPTION_TEXT, AT(scene), .help = "a demo or bench scene; zsim demo --help lists them" },
+    { "--scene", SIM_OPTION_TEXT, AT(scene),
+      .help = "a demo or bench scene; zsim demo --help lists them; or a scene's own file: my_scene.c" },
     { "--frame", SIM_OPTION_COUNT, AT(frame), 0, 0, 65535, .value = "T", .help = "frame of its animation (0)" },
     { "MODEL", SIM_OPTION_WORD, .help = "a file, as of zsim render, and for it:" },
     { "--eye", SIM_OPTION_VECTOR, AT(o.eye), AT(o.has_eye), .help = "" },
@@ -400,6 +402,8 @@ static int settle(struct budget_request *rq)
         return SIM_USAGE;
     if (rq->scene && rq->o.model)
         return sim_usage("--scene and a model: one of them");
+    if (rq->scene && sim_scene_file_need(rq->scene) != SIM_OK)
+        return SIM_REFUSED;
     if (rq->o.panel.name == NULL && rq->o.has_spi)
         return sim_usage("--spi is for a --panel, which is missing");
     if (rq->part && budget_part_named(rq->part) == NULL)

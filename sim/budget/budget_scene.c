@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "budget.h"
+#include "demo_frame.h"
 #include "frame.h"
 #include "model.h"
 #include "core/frame.h"
@@ -165,25 +166,29 @@ static const struct zs_depth *mapping(const struct budget_request *rq)
         &zs_depth_float;
 }
 
-static int of_demo(struct budget *b, const struct budget_request *rq)
+static int refuse_scene(const char *name)
 {
     char names[512] = "";
-    for (uint32_t i = 0; i < n_demos; i++) {
-        const struct demo *d = demos[i];
-        (void)snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? ", " : "", d->name);
-        if (strcmp(d->name, rq->scene) != 0)
-            continue;
-        const int own = !rq->o.has_size && rq->o.panel.name == NULL;
-        const uint16_t w = own ? d->width : (uint16_t)rq->o.size[0], h = own ? d->height : (uint16_t)rq->o.size[1];
-        struct demo_frame *f = sim_alloc(1, sizeof *f);
-        set_config(b, rq, w, h, (uint8_t)d->varyings, d->depth);
-        d->pose(f, (uint32_t)rq->frame, w, h);
-        b->scene = rq->frame == 0 && w == d->width && h == d->height ? d->name : NULL;
-        const int status = count_scene(b, rq, d->name, &f->scene, &f->camera);
-        free(f);
-        return status;
-    }
-    return sim_refuse(NULL, 0, "--scene %s: there is no such scene; there are %s", rq->scene, names);
+    for (uint32_t i = 0; i < n_demos; i++)
+        (void)snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? ", " : "", demos[i]->name);
+    return sim_refuse(NULL, 0, "--scene %s: there is no such scene; there are %s", name, names);
+}
+
+static int of_demo(struct budget *b, const struct budget_request *rq)
+{
+    const struct demo *d = sim_demo_named(rq->scene);
+    if (d == NULL || sim_demo_piece(d) != NULL)
+        return refuse_scene(rq->scene);
+    const int own = !rq->o.has_size && rq->o.panel.name == NULL;
+    const uint16_t w = own ? d->width : (uint16_t)rq->o.size[0], h = own ? d->height : (uint16_t)rq->o.size[1];
+    struct demo_frame *f = sim_alloc(1, sizeof *f);
+    set_config(b, rq, w, h, (uint8_t)d->varyings, d->depth);
+    d->pose(f, (uint32_t)rq->frame, w, h);
+    const int measured = rq->frame == 0 && w == d->width && h == d->height && !sim_demo_is_own(d);
+    b->scene = measured ? d->name : NULL;
+    const int status = count_scene(b, rq, d->name, &f->scene, &f->camera);
+    free(f);
+    return status;
 }
 
 /* Is there a shader that costs.h does not know? */

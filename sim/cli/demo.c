@@ -22,6 +22,7 @@
 #include "panel_frame.h"
 #include "demo_frame.h"
 #include "reference.h"
+#include "scene_file.h"
 #include "scenes.h"
 #include "false_colors.h"
 #include "sim.h"
@@ -60,7 +61,8 @@ static const char *scene_list(void)
 static const struct sim_option table[] = {
     { "--out", SIM_OPTION_TEXT, AT(out), .value = "DIR", .help = "the folder, made if there is none (build/demo)" },
     { "--scene", SIM_OPTION_TEXT, AT(scenes), .value = "NAME,...",
-      .help = "these alone (all). There are:", .list = scene_list },
+      .help = "these alone (all), or a scene's own file, which is compiled: my_scene.c. There are:",
+      .list = scene_list },
     { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX,
       .help = "px (what each scene was composed for)" },
     { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, .value = "ROWS", .help = "rows to a strip (24)" },
@@ -151,7 +153,7 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
 {
     uint32_t tris = 1, verts = 3;
     for (uint32_t k = 0; k < count_frames(rq, demo); k++) {
-        struct demo_frame f;
+        struct demo_frame f = { 0 };
         struct sim_frame frame;
         demo->pose(&f, frame_number(rq, k), config->width, config->height);
         const int err = sim_demo_render(&frame, demo, &f, config, NULL, NULL);
@@ -268,7 +270,7 @@ static int save(const struct sim_picture *seen, const struct request *rq, const 
 static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_config *config, const struct request *rq,
                       struct sim_panel_frame *panel, struct tally *sum, struct sheet *sheet)
 {
-    struct demo_frame f;
+    struct demo_frame f = { 0 };
     struct sim_frame frame;
     struct sim_picture seen = { 0 };
     demo->pose(&f, t, config->width, config->height);
@@ -355,7 +357,8 @@ static void table_foot(void)
 
 static int is_name(const struct demo *demo, const char *text, size_t length)
 {
-    return strlen(demo->name) == length && !memcmp(demo->name, text, length);
+    const char *name = sim_demo_name(demo);
+    return strlen(name) == length && !memcmp(name, text, length);
 }
 
 /* The name behind that at `at`; NULL: it was the last. */
@@ -379,9 +382,32 @@ static int wanted(const struct request *rq, const struct demo *demo)
     return !rq->scenes && !(sim_demo_piece(demo) && plain(rq));
 }
 
+/* Scenes' own files among the names. */
+static int load_scenes(const struct request *rq)
+{
+    const char *own = NULL;
+    for (const char *at = rq->scenes; at; at = next_name(at)) {
+        const size_t length = strcspn(at, ",");
+        char *name = sim_alloc(length + 1, 1);
+        memcpy(name, at, length);
+        int status = SIM_OK;
+        if (sim_scene_file_is(name)) {
+            status = own ? sim_usage("--scene: one scene's own file at a time") : sim_scene_file_need(name);
+            own = at;
+        }
+        free(name);
+        if (status != SIM_OK)
+            return status;
+    }
+    return SIM_OK;
+}
+
 /* Are names and frames such as there are? */
 static int check_scenes(const struct request *rq)
 {
+    const int status = load_scenes(rq);
+    if (status != SIM_OK)
+        return status;
     for (const char *at = rq->scenes; at; at = next_name(at)) {
         const size_t length = strcspn(at, ",");
         uint32_t i = 0;
@@ -492,7 +518,7 @@ int sim_demo_seen(struct sim_rendered *seen, uint32_t *n_frames, int argc, char 
     if (demo == NULL)
         return sim_usage("--scene %s: one scene is wanted", rq.scenes);
     struct sim_panel_frame panel = { 0 };
-    struct demo_frame f;
+    struct demo_frame f = { 0 };
     configure(config, demo, &rq);
     demo->pose(&f, frame_number(&rq, 0), config->width, config->height);
     err = fit_pools(config, demo, &rq);

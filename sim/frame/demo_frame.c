@@ -6,20 +6,39 @@
 
 #include <string.h>
 
+static const struct demo *own;
+static const char *own_name;
+
+void sim_demo_own(const struct demo *demo, const char *name)
+{
+    own = demo;
+    own_name = name;
+}
+
+int sim_demo_is_own(const struct demo *demo)
+{
+    return demo == own;
+}
+
 uint32_t sim_demo_count(void)
 {
-    return n_demos + n_pieces;
+    return n_demos + n_pieces + (own != NULL);
 }
 
 const struct demo *sim_demo_at(uint32_t i)
 {
-    return i < n_demos ? demos[i] : &pieces[i - n_demos]->demo;
+    return i < n_demos ? demos[i] : i < n_demos + n_pieces ? &pieces[i - n_demos]->demo : own;
+}
+
+const char *sim_demo_name(const struct demo *demo)
+{
+    return demo == own ? own_name : demo->name;
 }
 
 const struct demo *sim_demo_named(const char *name)
 {
     for (uint32_t i = 0; i < sim_demo_count(); i++)
-        if (strcmp(sim_demo_at(i)->name, name) == 0)
+        if (strcmp(sim_demo_name(sim_demo_at(i)), name) == 0)
             return sim_demo_at(i);
     return NULL;
 }

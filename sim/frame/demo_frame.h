@@ -9,10 +9,15 @@
 #include "method_names.h"
 #include "pieces.h"
 
-/* All that can be drawn: demo and bench scenes, then showpieces. */
+/* All that can be drawn: demo and bench scenes, then showpieces, then a user's own scene, where there is one. */
 uint32_t sim_demo_count(void);
 const struct demo *sim_demo_at(uint32_t i);
+const char *sim_demo_name(const struct demo *demo);  /* what it is asked for by: its name, or an own scene's file */
 const struct demo *sim_demo_named(const char *name); /* NULL: there is none */
+
+/* From here on *demo, which is borrowed, is the user's own scene. name: its file. */
+void sim_demo_own(const struct demo *demo, const char *name);
+int sim_demo_is_own(const struct demo *demo);
 
 /* The piece that a scene is; NULL: a scene without effects. */
 const struct piece *sim_demo_piece(const struct demo *demo);

@@ -74,8 +74,8 @@ static void frame(struct column *at, const struct view_desk *d)
     row(at, VIEW_INK, "triangles turned away", "%u", s->tris_facing);
     row(at, VIEW_INK, "out of view", "%u", view);
     row(at, VIEW_INK, "too small to be seen", "%u", s->tris_empty + s->tris_zero);
-    row(at, VIEW_INK, "set-ups hidden, of", "%u of %u", s->tris_hidden, s->tris_hidden + s->tris_setup);
-    row(at, VIEW_INK, "pixels not compared, of", "%u of %u", s->pixels_untested, s->pixels_tested);
+    row(at, VIEW_INK, "set-ups hidden", "%u of %u", s->tris_hidden, s->tris_hidden + s->tris_setup);
+    row(at, VIEW_INK, "pixels untested", "%u of %u", s->pixels_untested, s->pixels_tested);
 }
 
 static void memory(struct column *at, const struct view_figures *f)

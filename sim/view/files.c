@@ -6,6 +6,8 @@
 
 #include <sys/stat.h>
 
+#include "scene_file.h"
+
 static void mix(uint64_t *to, uint64_t value)
 {
     *to = (*to ^ value) * 0x9e3779b97f4a7c15u;
@@ -31,6 +33,9 @@ int view_files_changed(struct view_files *f, const struct view_words *words)
     look(&now, words->model);
     look(&now, view_words_get(words, "--texture"));
     look(&now, view_words_get(words, "--environment"));
+    if (words->model == NULL)
+        for (const char *const *name = sim_scene_file_sources(); *name != NULL; name++)
+            look(&now, *name);
     const int changed = f->seen != 0 && f->seen != now;
     f->seen = now;
     return changed;

@@ -10,10 +10,12 @@
 #include <string.h>
 #include <time.h>
 
+#include "demo_frame.h"
 #include "desk.h"
 #include "files.h"
 #include "listen.h"
 #include "output_file.h"
+#include "scene_file.h"
 #include "sim.h"
 #include "window.h"
 
@@ -56,6 +58,12 @@ static int of_model(const struct view *v)
     return v->wish.model != NULL;
 }
 
+/* Is a scene's own file shown, which is compiled again when it changes? */
+static int is_file(const struct view *v)
+{
+    return !of_model(v) && sim_scene_file_is(view_words_get(&v->wish, "--scene"));
+}
+
 /* ---- Pictures ---------------------------------------------------------------------------------------- */
 
 /* The sentence without the program's name. */
@@ -72,12 +80,27 @@ static char *line_of(const struct view *v)
     return view_words_line(&v->shot.words, of_model(v) ? "zsim render" : "zsim demo", none);
 }
 
+/* The scene's own file again. An animation that has become shorter begins anew. */
+static int recompile(struct view *v)
+{
+    const char *scene = view_words_get(&v->wish, "--scene");
+    const int status = sim_scene_file_load(scene);
+    (void)view_files_changed(&v->files, &v->wish); /* it may include other files now */
+    if (status == SIM_OK && atol(view_words_get(&v->wish, "--start")) >= (long)sim_demo_named(scene)->frames) {
+        view_words_set(&v->wish, "--start", "0");
+        v->scene_frame = 0.0;
+    }
+    return status;
+}
+
 static int take_shot(struct view *v)
 {
     char said[VIEW_SAID_MAX];
     const int reload = v->reload;
     view_listen_begin();
-    const int status = view_shot_take(&v->shot, &v->wish, reload);
+    int status = reload && is_file(v) ? recompile(v) : SIM_OK;
+    if (status == SIM_OK)
+        status = view_shot_take(&v->shot, &v->wish, reload);
     view_listen_end(said);
     v->redraw = v->reload = 0;
     v->repaint = 1;
@@ -131,7 +154,8 @@ static void name_picture(const struct view *v, char path[4096])
     if (of_model(v))
         (void)snprintf(path, 4096, "%s", out);
     else
-        (void)snprintf(path, 4096, "%s/%s_%03ld.png", out, view_words_get(&v->shot.words, "--scene"),
+        (void)snprintf(path, 4096, "%s/%s_%03ld.png", out,
+                       sim_demo_named(view_words_get(&v->shot.words, "--scene"))->name,
                        start != NULL ? atol(start) : 0L);
 }
 
@@ -319,7 +343,7 @@ static void handle(struct view *v, const struct view_event *e)
 
 static void look_at_files(struct view *v)
 {
-    if (!of_model(v) || v->now < v->looked + LOOK_S)
+    if ((!of_model(v) && !is_file(v)) || v->now < v->looked + LOOK_S)
         return;
     v->looked = v->now;
     if (view_files_changed(&v->files, &v->wish))

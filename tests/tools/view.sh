@@ -5,7 +5,8 @@
 #
 # Nothing waits for a time: each step waits until what it wants is there, up to two minutes.
 . tests/tools/zsim.sh
-gcc -O2 -Wall -Wextra -Werror "$top/tests/tools/desktop.c" -lX11 -lpng -o desktop || exit 1
+gcc -O2 -Wall -Wextra -Werror -I"$top/firmware/zstrip" "$top/tests/tools/desktop.c" \
+    "$top/firmware/zstrip/overlay/font.c" -lX11 -lpng -o desktop || exit 1
 unset WAYLAND_DISPLAY XDG_SESSION_TYPE SDL_VIDEODRIVER
 DISPLAY=
 server=''
@@ -103,6 +104,13 @@ written() { # FILE
     cmp -s ours.png "$file" || wrong "'$line' draws another picture"
     shown "$file"
 }
+# What is written in the window, as a reader sees it
+reads() { # PATTERN    a line of it
+    ./desktop text "$window" >text.txt && grep -qE -- "$1" text.txt
+}
+written_there() { # PATTERN
+    until_ "'$1' in the window" reads "$1"
+}
 box() { # a box of sides $1 x $2 x $3, and a smaller one behind it
     awk -v a="$1" -v b="$2" -v c="$3" 'BEGIN {
         for (k = 0; k < 2; k++) { for (i = 0; i < 8; i++)
@@ -120,12 +128,20 @@ open_ box.obj $small
 shown want.png
 [ "$(word 1 $place)" -ge 4 ] || wrong "64x48 pixels are enlarged only $(word 1 $place) times"
 xdotool windowsize "$window" 900 800
+written_there '^zsim render box.obj --size=64x48'
 is_wide() { [ "$(width)" -eq "$1" ]; }
 until_ "the window's other size" is_wide 900
 shown want.png
 press h
 gone() { ! sees want.png; }
 until_ "the keys" gone
+written_there '^h, F1 +these keys'
+# Each row of the table of keys, from the source, is there to be read
+sed -n '/rows\[\]\[2\] = {/,/};/s/.*{ "\(.*\)", "\(.*\)" }.*/\1\t\2/p' "$top/sim/view/desk.c" >keys.txt
+is "rows of keys" "$(wc -l <keys.txt | tr -d ' ')" 12
+while IFS="$(printf '\t')" read -r key what; do
+    grep -qF -- "$key" text.txt && grep -qF -- "$what" text.txt || wrong "the keys leave out '$key': '$what'"
+done <keys.txt
 press F1
 shown want.png
 
@@ -167,6 +183,9 @@ for pair in s:--shade=id v:--method=hiz d:--depth=recip b:--depth-bits=14 r:--st
     press BackSpace "${pair%%:*}"
     written view.png
     case $line in *" ${pair#*:}"*) ;; *) wrong "key ${pair%%:*} gives '$line'" ;; esac
+    value=$(echo "$line" | sed -n "s/.* ${pair#*:}\([^ ]*\).*/\1/p") # of --near: as it is written
+    option=${pair#*:}
+    [ "${pair%%:*}" = Left ] || written_there "^${pair%%:*} .* ${option#*=}$value( |\$)"
 done
 press BackSpace shift+b shift+f
 written view.png
@@ -193,6 +212,18 @@ is "RAM" "$ram" "$(sed -n 's/^ram,\([0-9]*\),.*/\1/p' ram.csv)"
 sed -n 's/^draw_ms,\([0-9.]*\),.*/\1/p' budget.csv | awk -v fps="$fps" '{ n++; d = 1000 / fps - $1 }
     END { exit !(n == 1 && d < 0.0006 && d > -0.0006) }' || wrong "$fps frames a second; $(grep draw_ms budget.csv)"
 
+written_there "^together, with the stack +$ram( |\$)"
+written_there "^rp2040 +$fps( |\$)"
+# The sums' parts, too, are the budget's
+"$zsim" budget box.obj $small --shade flat --csv --part rp2040 >/dev/null
+sum=0
+for pool in 'strip buffers' 'depth keys, tiles, bins' triangles vertices 'renderer, scene, panel'; do
+    part=$(sed -n "s/^$pool  *\([0-9]*\)$/\1/p" text.txt | tail -n 1)
+    sum=$((sum + ${part:-0}))
+done
+stack=$(sed -n 's/^stack,\([0-9]*\).*/\1/p' ram.csv)
+is "the parts of RAM, and the stack" $((sum + stack)) "$ram"
+
 begin what_is_refused
 press BackSpace v v v
 written view.png
@@ -202,13 +233,14 @@ until_ "silence" says_nothing
 press d
 until_ "a sentence" words '^zsim: --method depthsort brings its depth mapping: leave --depth out'
 until_ "the sentence in the window" says_so
+written_there '^--method depthsort brings its'
 shown view.png
 is "lines on standard error" "$(wc -l <win_err | tr -d ' ')" 1
 written view.png
 is "the command of what is seen" "$line" "$good"
 press shift+d
 until_ "silence again" says_nothing
-press BackSpace r r r r r r r g g g g g g g g g
+press BackSpace r r r r r r r shift+g shift+g shift+g shift+g
 until_ "the strip's sentence" words '^zsim: box.obj: --strip 1: ssd1306:128x64 takes 8 rows at a time'
 until_ "the sentence in the window" says_so
 press BackSpace
@@ -237,6 +269,62 @@ shown want.png
 until_ "silence" says_nothing
 press q
 end
+
+begin compiles_a_scene
+cp "$top/firmware/app/my_scene.c" scene.c
+cp scene.c kept.c
+mkdir -p scenes
+drawn() { # FILE.c FRAME    as zsim demo draws it, into scenes/
+    "$zsim" demo --scene "$1" --start "$2" --frames 1 --out scenes >again.txt 2>&1 || wrong "$1: $(cat again.txt)"
+}
+drawn scene.c 0
+mv scenes/scene_000.png first.png
+open_ scene.c --out scenes
+shown first.png
+press Right Right
+written scenes/scene_002.png
+is "command" "$line" "zsim demo --scene=scene.c --out=scenes --start=2 --frames=1"
+written_there '^of the animation +2 of 90'
+sed 's/struct zs_mesh pyramid/struct zs_mesch pyramid/' kept.c >scene.c
+: >win_err
+until_ "the compiler's sentence" words '^zsim: scene.c: does not compile: scene.c:[0-9]*:[0-9]*: error: '
+until_ "it in the window" says_so
+written_there '^scene.c: does not compile'
+shown scenes/scene_002.png
+press Left
+written_there '^of the animation +1 of 90' # the last good scene goes on
+written_there '^scene.c: does not compile'
+# What it includes is looked at, too, and a shorter animation begins anew
+printf '#define SKY 0x802010\n' >sky.h
+sed 's/#include "show.h"/&\n#include "sky.h"/; s/ZS_RGB565(0x141c34)/ZS_RGB565(SKY)/; s/FRAMES 90u/FRAMES 1u/' \
+    kept.c >scene.c
+until_ "silence" says_nothing
+written_there '^of the animation +0 of 1'
+drawn scene.c 0
+shown scenes/scene_000.png
+printf '#define SKY 0x208010\n' >sky.h
+shown_not() { ! sees scenes/scene_000.png; }
+until_ "another sky" shown_not
+drawn scene.c 0
+shown scenes/scene_000.png
+press q
+end
+sed 's/f->scene.background/if (t == 7) *(volatile int *)8 = 1;\n    &/' kept.c >crash.c
+z view crash.c
+one_line 1 'crashes at frame 7'
+printf 'int nothing;\n' >nothing.c
+z view nothing.c
+one_line 1 'it ends with SHOW'
+sed 's/\.mesh = &pyramid/.mesh = \&other/
+    s/^static const struct zs_material grey/extern const struct zs_mesh other;\n&/' kept.c >two.c
+z view two.c
+one_line 1 'undefined symbol: other; name the file that has it, too'
+z view two.c --scene cubes
+one_line 2 'leave one out'
+CC=no-such-compiler z view kept.c
+one_line 1 'wants a C compiler, and no-such-compiler cannot be run'
+leftover=$(find "${TMPDIR:-/tmp}" -maxdepth 1 -name 'zsim-??????' -newer first.png | head -n 1)
+is "what is left in TMPDIR" "$leftover" ""
 
 begin ends
 open_ box.obj $small
