@@ -8,6 +8,9 @@
  *     static const struct zs_shader mine = { .vertex = my_vertex, .fragment = my_fragment,
  *                                            ZS_FRAGMENTS, .n_varyings = 2 };
  *
+ * Of struct zs_shader, `vertex`, `face`, `fragment`, `position`, `check`, `n_varyings` and `opaque`
+ * are yours. All other fields are the library's: its macros set them, or leave them 0.
+ *
  * Uniforms: define your own material struct whose first member is a struct zs_material. A stage
  * reads it through instance->material. zs_damage_track does not see that uniforms change: call
  * zs_invalidate after a change.

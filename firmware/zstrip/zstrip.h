@@ -48,14 +48,15 @@
  * Promise   the frame is a function of scene, camera and profile (frame size, sub-pixel bits, depth
  *           mapping and bits). Strip height, pool sizes, buffers, accelerators, compiler and
  *           machine do not change a bit of it.
- * Not here  shadow maps of lights at a point, non-uniform or negative scale, more than one thread
- *           in one renderer.
+ * Not here  shadow maps of point lights, non-uniform or negative scale, more than one thread in one
+ *           renderer.
  *
  * A renderer holds no global state: two renderers can be used side by side. While a function works
  * on a renderer, no interrupt may call another one for it.
  *
  * THE SHORTEST PROGRAM, with a mesh and a function that sends a strip to a display
  *
+ *     int send(void *ctx, const struct zs_strip *strip);     yours; returns 0 if it was sent
  *     ZS_RENDERER(screen, 240, 240, 16, 600, 400, ZS_VARYINGS_FLAT);
  *     ...
  *     const struct zs_material red = { .shader = &zs_shade_flat, .rgb = ZS_RGB(0xe63c28) };

@@ -58,7 +58,8 @@ enum panel_format { PANEL_RGB565, PANEL_GREY4, PANEL_MONO };
 struct panel_config {
     const struct panel_type *type;
     uint16_t width, height; /* px of the glass at rotate 0 */
-    int16_t x0, y0;         /* the glass's left top pixel in the controller's RAM; both 0: the type's own table */
+    int16_t x0, y0;         /* the glass's left top pixel, as the controller counts at rotate 0; both 0: the type's own
+                               table, or 0 where that has no glass of this size */
     uint8_t rotate;         /* 0 .. 3 quarter turns clockwise */
     uint8_t invert;         /* 1: send the controller's inversion command (most IPS glass needs it to look right) */
     uint8_t bgr;            /* 1: the glass has blue where the controller has red (most ILI9341 and GC9A01 modules) */
