@@ -1,6 +1,7 @@
 /* Models of each format that the page reads, of one ring, with a texture where the format has one.
  *
- * Usage: node tests/web/models.mjs FOLDER: ring.obj, ring.mtl, ring.png, ring.stl, ring.ply, ring.glb
+ * Usage: node tests/web/models.mjs FOLDER: ring.obj, ring.mtl, ring.png, ring.stl, ring.ply, ring.glb,
+ * sparse.glb, draco.gltf
  *
  * SPDX-License-Identifier: MIT
  */
@@ -107,10 +108,19 @@ write(
         ),
 );
 
-/* ---- glTF: one mesh at two places, turned, and mirrored ---- */
+/* ---- glTF: one mesh at two places, turned, and mirrored; in sparse.glb some of its points are replaced ---- */
 
 const floats = (list) => Buffer.from(Float32Array.from(list.flat()).buffer);
-const buffers = [floats(points), floats(normals), floats(uvs), Buffer.from(Uint16Array.from(indices).buffer), png];
+const replaced = points.map((_, i) => i).filter((i) => i % 5 === 2);
+const buffers = [
+    floats(points),
+    floats(normals),
+    floats(uvs),
+    Buffer.from(Uint16Array.from(indices).buffer),
+    png,
+    Buffer.from(Uint16Array.from(replaced).buffer),
+    floats(replaced.map((i) => points[i].map((c) => c * 1.25))),
+];
 let bytes = 0;
 const bufferViews = buffers.map((b) => {
     const view = { buffer: 0, byteOffset: bytes, byteLength: b.length };
@@ -120,51 +130,54 @@ const bufferViews = buffers.map((b) => {
 const bin = Buffer.alloc(bytes);
 buffers.forEach((b, i) => b.copy(bin, bufferViews[i].byteOffset));
 const accessor = (bufferView, componentType, count, type) => ({ bufferView, componentType, count, type });
-let json = Buffer.from(
-    JSON.stringify({
-        asset: { version: '2.0' },
-        scene: 0,
-        scenes: [{ nodes: [0, 1] }],
-        nodes: [
-            { mesh: 0, rotation: [0.2588190451, 0, 0, 0.9659258263], scale: [1, 1.2, 1] },
-            { mesh: 0, translation: [0.5, 1.3, 0], scale: [-0.5, 0.5, 0.5] },
-        ],
-        meshes: [
-            { primitives: [{ attributes: { POSITION: 0, NORMAL: 1, TEXCOORD_0: 2 }, indices: 3, material: 0 }] },
-        ],
-        materials: [
-            {
-                name: 'm',
-                pbrMetallicRoughness: {
-                    baseColorFactor: [1, 0.9, 0.8, 1],
-                    baseColorTexture: { index: 0 },
-                    metallicFactor: 0,
-                },
+const gltf = {
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0, 1] }],
+    nodes: [
+        { mesh: 0, rotation: [0.2588190451, 0, 0, 0.9659258263], scale: [1, 1.2, 1] },
+        { mesh: 0, translation: [0.5, 1.3, 0], scale: [-0.5, 0.5, 0.5] },
+    ],
+    meshes: [
+        { primitives: [{ attributes: { POSITION: 0, NORMAL: 1, TEXCOORD_0: 2 }, indices: 3, material: 0 }] },
+    ],
+    materials: [
+        {
+            name: 'm',
+            pbrMetallicRoughness: {
+                baseColorFactor: [1, 0.9, 0.8, 1],
+                baseColorTexture: { index: 0 },
+                metallicFactor: 0,
             },
-        ],
-        textures: [{ source: 0 }],
-        images: [{ bufferView: 4, mimeType: 'image/png' }],
-        bufferViews,
-        buffers: [{ byteLength: bytes }],
-        accessors: [
-            { ...accessor(0, 5126, points.length, 'VEC3'), min: [-2, -2, -2], max: [2, 2, 2] },
-            accessor(1, 5126, points.length, 'VEC3'),
-            accessor(2, 5126, points.length, 'VEC2'),
-            accessor(3, 5123, indices.length, 'SCALAR'),
-        ],
-    }),
-);
-json = Buffer.concat([json, Buffer.alloc((4 - (json.length % 4)) % 4, 32)]);
+        },
+    ],
+    textures: [{ source: 0 }],
+    images: [{ bufferView: 4, mimeType: 'image/png' }],
+    bufferViews,
+    buffers: [{ byteLength: bytes }],
+    accessors: [
+        { ...accessor(0, 5126, points.length, 'VEC3'), min: [-2, -2, -2], max: [2, 2, 2] },
+        accessor(1, 5126, points.length, 'VEC3'),
+        accessor(2, 5126, points.length, 'VEC2'),
+        accessor(3, 5123, indices.length, 'SCALAR'),
+    ],
+};
 const words = (...n) => Buffer.from(Uint32Array.from(n).buffer);
-write(
-    'ring.glb',
-    Buffer.concat([
-        Buffer.from('glTF'),
-        words(2, 28 + json.length + bytes, json.length),
-        Buffer.from('JSON'),
-        json,
-        words(bytes),
-        Buffer.from('BIN\0'),
-        bin,
-    ]),
-);
+function glb(name) {
+    const text = Buffer.from(JSON.stringify(gltf)),
+        json = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 32)]);
+    const head = [Buffer.from('glTF'), words(2, 28 + json.length + bytes, json.length), Buffer.from('JSON')];
+    write(name, Buffer.concat([...head, json, words(bytes), Buffer.from('BIN\0'), bin]));
+}
+glb('ring.glb');
+gltf.accessors[0].sparse = {
+    count: replaced.length,
+    indices: { bufferView: 5, componentType: 5123 },
+    values: { bufferView: 6 },
+};
+glb('sparse.glb');
+const draco = 'KHR_draco_mesh_compression';
+gltf.meshes[0].primitives[0].extensions = { [draco]: { bufferView: 0, attributes: { POSITION: 0 } } };
+gltf.extensionsRequired = [draco];
+gltf.buffers[0].uri = `data:application/octet-stream;base64,${bin.toString('base64')}`;
+write('draco.gltf', JSON.stringify(gltf));

@@ -220,6 +220,7 @@ await test('web_obj', () => compare('ring.obj', 'ring.mtl', 'ring.png'));
 await test('web_stl', () => compare('ring.stl'));
 await test('web_ply', () => compare('ring.ply'));
 await test('web_glb', () => compare('ring.glb'));
+await test('web_sparse', () => compare('sparse.glb'));
 
 await test('web_files', async () => {
     const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
@@ -234,8 +235,48 @@ await test('web_bad_model', async () => {
     const why = await p.value(text('error'));
     must(/^bad\.obj:6: .*out of range/.test(why), why);
     same(await p.value(SUM), before, 'the last good picture');
+    await take(p, 'draco.gltf');
+    const draco = await p.value(text('error'));
+    must(/^draco\.gltf: .*compressed by Draco, which is not read; export it without/.test(draco), draco);
+    same(await p.value(SUM), before, 'the last good picture');
     await take(p, 'held.obj', 'held.mtl');
     same(await p.value(text('error')), '', 'error after a good model');
+});
+
+/* Of a scene: 22 settings drawn, the figures of what is set are those beside the picture, and follow it. */
+await test('web_time_against_error', async () => {
+    await p.value('document.querySelector("[data-scene=teapot]").click()');
+    await change(p, 'part', 'rp2040');
+    const before = await p.value(SUM);
+    await p.value('document.getElementById("measure").click()');
+    await p.until('!document.getElementById("measure").disabled', 'it is measured');
+    const rows = JSON.parse(
+        await p.value(`JSON.stringify([...document.querySelectorAll('#tradeoff tr')].slice(1)
+            .map((r) => [...r.children].map((c) => c.textContent)))`),
+    );
+    same(rows.length, 22, 'rows');
+    same(await p.value('document.querySelectorAll("#tradeoff circle").length'), 23, 'dots');
+    const of = (name) => rows.find((r) => r[0] === name);
+    const wrong = (name) => Number(of(name)[2].replace(',', ''));
+    must(wrong('float, 8 bits') > wrong('float, 16 bits'), `8 bits have no more wrong pixels: ${rows.join('; ')}`);
+    must(Number(of('strips of 64 rows')[1]) < Number(of('strips of 4 rows')[1]), 'lower strips take no more time');
+    const drawing = async () => (await p.value(text('race'))).match(/drawing([\d.]+) ms/)[1];
+    const set = async () => (await p.value(text('tradeoff-say'))).match(/: ([\d.]+) ms on rp2040, ([\d,]+) of/);
+    same(Number((await set())[1]).toFixed(1), await drawing(), 'ms of what is set');
+    same(await p.value(SUM), before, 'the picture afterwards');
+    await change(p, 'set-strip', '96', 'input');
+    const ms = Number((await set())[1]).toFixed(1);
+    same(ms, await drawing(), 'ms of another strip');
+    /* its wrong pixels are those of the view of that name */
+    const from = await count(p);
+    await p.value('document.querySelector("[data-view=wrong]").click()');
+    await settled(p, from);
+    const seen = (await p.value(text('caption'))).match(/[\d,]+(?= pixels are missing| too many| of another)/g);
+    const sum = seen.reduce((s, n) => s + Number(n.replace(',', '')), 0);
+    same(Number((await set())[2].replace(',', '')), sum, 'wrong pixels');
+    const back = await count(p);
+    await p.value('document.querySelector("[data-view=frame]").click()');
+    await settled(p, back);
 });
 
 await test('web_quiet', () => {

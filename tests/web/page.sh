@@ -37,7 +37,7 @@ awk 'BEGIN {
 printf 'newmtl clay\nKd 0.8 0.45 0.2\nnewmtl blue\nKd 0.1 0.3 0.7\n' >"$work/held.mtl"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# a face that is not there\nf 1 2 9\n' >"$work/bad.obj"
 node tests/web/models.mjs "$work" || bad web_models "they could not be made"
-for model in held.obj ring.obj ring.stl ring.ply ring.glb; do
+for model in held.obj ring.obj ring.stl ring.ply ring.glb sparse.glb; do
     "$build/zsim" render "$work/$model" --panel st7789:240x240 --out "$work/$model.png" 2>"$work/zsim.log" ||
         bad "web_zsim_$model" "zsim render: $(head -c 300 "$work/zsim.log")"
 done

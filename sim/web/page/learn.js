@@ -153,13 +153,19 @@ function methodCard(title, about, method) {
 const MAPPINGS = [
     ['recip', '--c5', (z, n, f, keys) => ((keys - 1) * (1 / n - 1 / z)) / (1 / n - 1 / f)],
     ['linear', '--c2', (z, n, f, keys) => ((keys - 1) * (z - n)) / (f - n)],
-    ['float', '--c0', (z, n, f, keys) => floatKey(z, n, f, keys)],
+    ['e3m13', '--c1', (z, n, f, keys) => floatKey(z, n, 3, keys)],
+    ['e4m12', '--c0', (z, n, f, keys) => floatKey(z, n, 4, keys)],
+    ['e5m11', '--c3', (z, n, f, keys) => floatKey(z, n, 5, keys)],
 ];
 
-/* near / z as an unsigned float of e exponent bits, as zstrip's mapping float takes it for that far / near. */
-function floatKey(z, n, f, keys) {
-    const e = f <= 128 * n ? 3 : f <= 32768 * n ? 4 : 5,
-        m = Math.log2(keys) - e,
+/* The exponent bits that zstrip's mapping float takes for that far / near. */
+const floatBits = (n, f) => (f <= 128 * n ? 3 : f <= 32768 * n ? 4 : 5);
+/* A name as 16 bits have it, for any number of them. */
+const nameOf = (name, bits) => (name[0] === 'e' ? `e${name[1]}m${bits - Number(name[1])}` : name);
+
+/* near / z as an unsigned float of e exponent bits. */
+function floatKey(z, n, e, keys) {
+    const m = Math.log2(keys) - e,
         r = n / z;
     const k = Math.min(2 ** e - 2, Math.floor(-Math.log2(r) + 1e-12)),
         octave = 2 ** e - 1 - k;
@@ -182,7 +188,8 @@ const length = (m) =>
 
 function mappingCard() {
     const set = { near: 1, far: 1000, bits: 16, at: 300 };
-    const say = make('p', { className: 'say', role: 'status' });
+    const say = make('p', { className: 'say', role: 'status' }),
+        legend = make('p', { className: 'legend' });
     const box = { left: 14, top: 12, right: 386, bottom: 186 };
     const xOf = (z) => box.left + ((box.right - box.left) * Math.log(z / 0.05)) / Math.log(4000 / 0.05);
     const zOf = (x) => 0.05 * (4000 / 0.05) ** ((x - box.left) / (box.right - box.left));
@@ -232,11 +239,17 @@ function mappingCard() {
     const update = () => {
         set.far = Math.max(set.far, set.near * 1.5);
         set.at = Math.min(set.far, Math.max(set.near, set.at));
-        const gaps = MAPPINGS.map(
-            ([name, , key]) => `${name} ${length(apart(key, set.at, set.near, set.far, 2 ** set.bits))}`,
+        const gaps = MAPPINGS.map(([name, , key]) => {
+            const gap = length(apart(key, set.at, set.near, set.far, 2 ** set.bits));
+            return `${nameOf(name, set.bits)} ${gap}`;
+        });
+        const taken = nameOf(`e${floatBits(set.near, set.far)}`, set.bits);
+        say.textContent =
+            `At ${length(set.at)}, two surfaces get different keys if they are so far apart: ${gaps.join(', ')}. ` +
+            `For this far and near, float is ${taken}.`;
+        legend.replaceChildren(
+            ...MAPPINGS.map(([name, tint]) => make('span', { style: `--k:var(${tint})` }, nameOf(name, set.bits))),
         );
-        say.textContent = 
-            `At ${length(set.at)}, two surfaces get different keys if they are so far apart: ` + `${gaps.join(', ')}.`;
         for (const f of fields) f();
         again();
     };
@@ -288,15 +301,11 @@ function mappingCard() {
         make(
             'p',
             {},
-            'Keys are few: 65,536 of 16 bits. A mapping says how they are spent from near to far. ' +
-                'Drag near, far, and the distance that you ask about.',
+            'Keys are few: 65,536 of 16 bits. A mapping says how they are spent from near to far; e3m13 is a float ' +
+                'of 3 exponent and 13 mantissa bits. Drag near, far, and the distance that you ask about.',
         ),
         canvas,
-        make(
-            'p',
-            { className: 'legend' },
-            ...MAPPINGS.map(([name, tint]) => make('span', { style: `--k:var(${tint})` }, name)),
-        ),
+        legend,
         say,
         row,
     );

@@ -11,6 +11,7 @@ import { readLink, writeLink } from './link.js';
 import { readModel } from './models.js';
 import { PANELS } from './panels.js';
 import { HOME, Stage } from './stage.js';
+import { Tradeoff } from './tradeoff.js';
 import { wasmBytes } from './wasm.js';
 
 /* Options that have a place of their own on the page, or are none for a page */
@@ -176,6 +177,7 @@ function figures() {
     id('sentences').replaceChildren(...call('explain', []).map((s) => make('li', {}, s)));
     command();
     keepLink();
+    if (app.tradeoff && !app.turning && app.shown === 'frame') app.tradeoff.follow();
     document.documentElement.dataset.settled = String(Number(document.documentElement.dataset.settled || 0) + 1);
 }
 /* What false colours mean that have no legend of their own. */
@@ -521,6 +523,10 @@ async function start() {
     listen();
     draw();
     figures();
+    app.tradeoff = new Tradeoff(
+        () => ({ engine: app.engine, part: app.part, what: app.scene || (app.model && app.model.name) || '' }),
+        draw,
+    );
     buildCards(id('cards'));
     document.documentElement.dataset.ready = '1';
 }

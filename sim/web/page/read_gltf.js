@@ -85,24 +85,42 @@ class Gltf {
         throw new BadModel(this.name, 0, why);
     }
 
-    /** Values of an accessor, a row an element. */
+    /** Values of an accessor, a row an element. A sparse one replaces some rows, of zeros where it has no others. */
     rows(number) {
         const a = (this.json.accessors || [])[number];
         if (!a) this.fail(`accessor ${number} is missing; export the model again`);
-        if (a.sparse) this.fail('sparse accessors are not read; export the model without them');
-        const type = VALUE[a.componentType],
+        const { sparse } = a,
             n = SIZE[a.type];
-        const v = (this.json.bufferViews || [])[a.bufferView];
-        if (!type || !n || !v) this.fail(`accessor ${number} makes no sense; export the model again`);
+        if (!n) this.fail(`accessor ${number} makes no sense; export the model again`);
+        const out =
+            sparse && a.bufferView === undefined
+                ? Array.from({ length: a.count }, () => new Array(n).fill(0))
+                : this.values(number, a, a, a.count, n);
+        if (!sparse) return out;
+        const { count, indices, values } = sparse;
+        if (!indices || !values) this.fail(`accessor ${number} makes no sense; export the model again`);
+        const at = this.values(number, indices, indices, count, 1);
+        this.values(number, values, a, count, n).forEach((row, i) => {
+            if (at[i][0] >= a.count) this.fail(`accessor ${number} replaces element ${at[i][0]} of ${a.count}`);
+            out[at[i][0]] = row;
+        });
+        return out;
+    }
+
+    /* count rows of n numbers of the type of `a`, from where `place` says. */
+    values(number, place, a, count, n) {
+        const type = VALUE[a.componentType],
+            v = (this.json.bufferViews || [])[place.bufferView];
+        if (!type || !v) this.fail(`accessor ${number} makes no sense; export the model again`);
         const bytes = this.buffers[v.buffer],
-            start = (v.byteOffset || 0) + (a.byteOffset || 0);
+            start = (v.byteOffset || 0) + (place.byteOffset || 0);
         const stride = v.byteStride || n * type[1],
-            end = start + stride * (a.count - 1) + n * type[1];
+            end = start + stride * (count - 1) + n * type[1];
         if (!bytes || end > bytes.length)
             this.fail(`accessor ${number} goes beyond its buffer; the file may be cut off`);
         const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength),
             out = [];
-        for (let i = 0; i < a.count; i++) {
+        for (let i = 0; i < count; i++) {
             const row = [];
             for (let k = 0; k < n; k++) {
                 const raw = view[type[0]](start + i * stride + k * type[1], true);
