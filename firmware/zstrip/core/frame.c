@@ -281,7 +281,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
 
 void zs_frame_resolve(const struct zs_renderer *r, const struct zs_scene *scene)
 {
-    const struct zs_resolve *hook = scene->resolve, *const end = hook + scene->n_resolves;
+    const struct zs_resolve *hook = scene->resolve;
     struct zs_target target;
     if (!hook)
         return;
@@ -292,7 +292,7 @@ void zs_frame_resolve(const struct zs_renderer *r, const struct zs_scene *scene)
     target.x0 = r->window[0];
     target.x1 = r->window[1];
     target.pitch = r->config.width;
-    for (; hook < end; hook++)
+    for (uint32_t n = scene->n_resolves; n; n--, hook++)
         hook->draw(hook->ctx, &target);
 }
 

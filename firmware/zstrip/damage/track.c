@@ -237,8 +237,8 @@ static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int al
     struct looks looks = { 0, 0, { 0, 0 } };
     int changed = all;
     struct zs_record *rec = records(r);
-    const struct zs_instance *in = scene->instance, *const end = in + scene->n_instances;
-    for (; in < end; in++, rec++) {
+    const struct zs_instance *in = scene->instance;
+    for (uint32_t n = scene->n_instances; n; n--, in++, rec++) {
         if (!in->mesh || !in->material)
             return 1;
         instance_sum(lane, in, &looks);

@@ -26,8 +26,8 @@ int zs_overlay_check(const struct zs_overlay *overlay)
 void zs_overlay_draw(void *ctx, const struct zs_target *target)
 {
     const struct zs_overlay *overlay = ctx;
-    const struct zs_item *item = overlay->item, *const end = item + overlay->n;
-    for (; item < end; item++)
+    const struct zs_item *item = overlay->item;
+    for (uint32_t n = overlay->n; n; n--, item++)
         if (item->kind && !right(item))
             item->kind->draw(item, target);
 }
