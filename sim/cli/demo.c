@@ -83,8 +83,8 @@ static const struct sim_option table[] = {
                       "frames go through this panel's driver and the model of its controller: pictures are what its "
                       "viewer sees, of its size. There are:"),
     { "--moving", SIM_OPTION_FILE, AT(moving), .value = "F.png",
-      .help = "contact sheets of the first frames, the second ones and so on as an animated PNG, too, or a GIF where the "
-              "name ends so; a scene with fewer frames begins again" },
+      .help = "contact sheets of the first frames, the second ones and so on as an animated PNG, too, or a GIF "
+              "or MP4 where the name ends so; a scene with fewer frames begins again" },
     { "--delay", SIM_OPTION_COUNT, AT(delay), 0, 10, 65535, .value = "MS", .help = "of a frame in it, {range} (80)" },
     { "--raw", SIM_OPTION_FLAG, AT(raw),
       .help = "DIR/SCENE_NNN.bin too: RGB565, most significant byte first, row by row; of grey and one-bit panels a "

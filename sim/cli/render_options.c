@@ -28,8 +28,8 @@ static const struct sim_option table[] = {
     { "--id-out", SIM_OPTION_FILE, AT(id_out), .value = "I.u32",
       .help = "little-endian uint32 a pixel: triangle in file order + 1; 0: none" },
     { "--turntable", SIM_OPTION_COUNT, AT(turntable), 0, 1, SIM_TURNTABLE_MAX,
-      .help = "N views, {range}, of the model as it turns once around; --out is an animated PNG then, or a GIF where "
-              "its name ends so" },
+      .help = "N views, {range}, of the model as it turns once around; --out is an animated PNG then, or a GIF or MP4 "
+              "where its name ends so" },
     { "--stats", SIM_OPTION_FILE, AT(stats), .value = "S.json", .help = "what the frame took, an object of numbers" },
     { "--explain", SIM_OPTION_FLAG, AT(explain),
       .help = "what is wrong with the picture, in sentences on stderr; without it on a terminal, if nothing is seen" },

@@ -315,11 +315,16 @@ int sim_moving_save(const char *path, const struct sim_moving *m)
 {
     struct sim_output out;
     const size_t n = strlen(path);
-    const int gif = n >= 4 && strcasecmp(path + n - 4, ".gif") == 0;
+    const char *end = n >= 4 ? path + n - 4 : "";
     int status = sim_output_open(&out, path);
     if (status != SIM_OK)
         return status;
-    status = gif ? sim_moving_gif(out.file, path, m) : sim_moving_png(out.file, path, m);
+    if (strcasecmp(end, ".mp4") == 0)
+        status = sim_moving_mp4(out.temporary != NULL ? out.temporary : out.path, path, m);
+    else if (strcasecmp(end, ".gif") == 0)
+        status = sim_moving_gif(out.file, path, m);
+    else
+        status = sim_moving_png(out.file, path, m);
     sim_progress_end();
     if (status == SIM_OK)
         return sim_output_commit(&out, 1);

@@ -1,4 +1,4 @@
-/* Frames of one size as an animated PNG or a GIF that repeats for ever.
+/* Frames of one size as an animated PNG or a GIF that repeats for ever, or as an MP4.
  *
  * Both hold, of each frame, the smallest rectangle that has changed. A PNG is lossless; programs that do not know
  * animated ones show its first frame. A GIF has one palette of 256 colours, chosen from up to 16 of the frames.
@@ -25,7 +25,10 @@ struct sim_moving {
 int sim_moving_png(FILE *f, const char *name, const struct sim_moving *m);
 int sim_moving_gif(FILE *f, const char *name, const struct sim_moving *m);
 
-/* The same into a file, whole or not at all: a GIF where its name ends so. */
+/* An MP4 of all frames, once, in place of the file at path. Its codec loses some of the colours. */
+int sim_moving_mp4(const char *path, const char *name, const struct sim_moving *m);
+
+/* The same into a file, whole or not at all: a GIF or an MP4 where its name ends so. */
 int sim_moving_save(const char *path, const struct sim_moving *m);
 
 #endif

@@ -44,7 +44,7 @@ static const struct sim_option table[] = {
     { "--raw", SIM_OPTION_FILE, AT(raw), .value = "F_%03d.bin",
       .help = "the same as RGB565, most significant byte first, or a byte for each level or bit" },
     { "--moving", SIM_OPTION_FILE, AT(moving), .value = "F.png",
-      .help = "all of them as one animated PNG, too, or a GIF where the name ends so" },
+      .help = "all of them as one animated PNG, too, or a GIF or MP4 where the name ends so" },
     { "--delay", SIM_OPTION_COUNT, AT(delay), 0, 10, 65535, .value = "MS", .help = "of a picture in it (80)" },
     { "--full", SIM_OPTION_FLAG, AT(full),
       .help = "for programs that draw whole frames: a picture each time that as many pixels came as the glass has, "

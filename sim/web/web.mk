@@ -21,7 +21,7 @@ WEB_CC = clang --target=wasm32-wasi -std=gnu11 -O3 -DNDEBUG $(INC) -Isim/web/inc
          -include web_system.h -DZS_STATS=1 -DZS_VARYINGS_MAX=8
 WEB_NOTE := $(call note,$(B)/web/cc,$(WEB_CC))
 WEB_O = $(patsubst %.c,$(B)/web/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) \
-              $(filter-out sim/frame/moving_picture.c,$(WEB_SIM)))
+              $(filter-out sim/frame/moving_%,$(WEB_SIM)))
 
 $(MESHOPT)/meshoptimizer.h:
 	@.ci/source meshoptimizer libmeshoptimizer-dev $(B)/web/meshoptimizer

@@ -90,6 +90,39 @@ for k in 0 1 2 3 4; do
         wrong "frame $(cat far) mean square error of the GIF"
 done
 
+begin mp4_by_ffmpeg
+# In place of ffmpeg: what it is told, and the frames that it gets
+mkdir -p fake bare
+cat >fake/ffmpeg <<'EOF'
+#!/bin/sh
+printf '%s\n' "$@" >told.txt
+cat >got.rgb
+for to; do :; done
+echo film >"$to"
+EOF
+chmod +x fake/ffmpeg
+path=$PATH
+PATH=$PWD/fake:$path z render colors.obj --shade smooth --turntable 5 --out colors.mp4 --size 200x150
+is "the file" "$(cat colors.mp4)" film
+for k in 0 1 2 3 4; do
+    frame colors.png $k png.rgb
+    cat png.rgb
+done >all.rgb
+cmp -s got.rgb all.rgb || wrong "ffmpeg does not get the frames of the PNG"
+told=$(tr '\n' ' ' <told.txt)
+case $told in *' -s 200x150 -framerate 1000/600 '*) ;; *) wrong "ffmpeg is told $told" ;; esac
+printf '#!/bin/sh\necho "no encoder" >&2\nexit 1\n' >fake/ffmpeg
+rm colors.mp4
+PATH=$PWD/fake:$path z render colors.obj --turntable 5 --out colors.mp4 --size 200x150
+one_line 1 'colors.mp4: cannot be written by ffmpeg: no encoder'
+PATH=$PWD/bare z render colors.obj --turntable 5 --out colors.mp4 --size 200x150
+one_line 1 'colors.mp4: is written by ffmpeg, which is not installed'
+is "what is left" "$(ls -A | grep -c 'colors.mp4')" 0
+if command -v ffmpeg >/dev/null; then
+    z render colors.obj --shade smooth --turntable 5 --out colors.MP4 --size 101x75
+    is "kind of file" "$(dd if=colors.MP4 bs=1 skip=4 count=4 2>/dev/null)" ftyp
+fi
+
 begin models_are_whole_and_large
 for model in ball.obj long.obj half.obj colors.obj; do
     for size in 240x240 300x100 90x200; do
