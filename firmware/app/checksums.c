@@ -17,7 +17,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
-#include "number.h"
+#include "line.h"
 #include "scenes.h"
 #include "zstrip.h"
 #if SUMS_PIECES
@@ -55,22 +55,12 @@ struct sums {
     uint64_t pixels, keys;
 };
 
-/* ---- Text: a line at a time, which a board may then send by itself --------------------------------------------- */
+/* ---- Fields of a line --------------------------------------------------------------------------------------------- */
 
-static char line[96];
-static uint32_t line_n;
-
-static void put(const char *text)
+static void put_field(uint64_t v)
 {
-    while (*text && line_n + 1u < sizeof line)
-        line[line_n++] = *text++;
-}
-
-static void put_number(uint64_t v)
-{
-    char room[NUMBER_CHARS];
     put(",");
-    put(number_text(room, v));
+    put_number(v);
 }
 
 /* The last digits of v in base 16. */
@@ -84,16 +74,8 @@ static void put_hex(uint64_t v, uint32_t digits)
 static void put_look(const struct look *k)
 {
     put(k->demo->name);
-    put_number(k->frame);
-    put_number(k->bits);
-}
-
-static void put_end(void)
-{
-    put("\n");
-    line[line_n] = '\0';
-    hal_write(line);
-    line_n = 0;
+    put_field(k->frame);
+    put_field(k->bits);
 }
 
 /* ---- Sinks ------------------------------------------------------------------------------------------------------ */
@@ -132,7 +114,7 @@ static int sum_up(void *ctx, const struct zs_strip *s)
         if (rows % BAND && rows != sums->look->demo->height)
             continue;
         put_look(sums->look);
-        put_number(rows);
+        put_field(rows);
         put_hex(sums->pixels, 16);
         put_hex(sums->keys, 16);
         put_end();
@@ -149,8 +131,8 @@ static int print_pixels(void *ctx, const struct zs_strip *s)
         if (y < first || y >= first + BAND)
             continue;
         put_look(look);
-        put_number(i % s->w);
-        put_number(y);
+        put_field(i % s->w);
+        put_field(y);
         put_hex((uint32_t)s->px[2u * i] << 8 | s->px[2u * i + 1u], 4);
         put_hex(s->depth[i], 4);
         put_end();

@@ -22,16 +22,10 @@ int main(void)
     struct zs_config c = { .width = d->width, .height = d->height, .strip_h = 24, .varyings = (uint8_t)d->varyings,
                            .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
     const struct zs_sink sink = { .submit = report_drop };
-    uint32_t tris = 256, verts = 256;
     if (hal_init())
         hal_exit(1);
     d->pose(&frame, 0, d->width, d->height);
-    for (uint32_t i = 0; i < frame.scene.n_instances; i++) {
-        tris += frame.scene.instance[i].mesh->n_tris;
-        verts += frame.scene.instance[i].mesh->n_verts;
-    }
-    c.max_tris = (uint16_t)(tris < ZS_POOL_MAX ? tris : ZS_POOL_MAX);
-    c.max_verts = (uint16_t)(verts < ZS_POOL_MAX ? verts : ZS_POOL_MAX);
+    report_pools(&c, &frame.scene);
     int err = zs_init(&renderer, &c, arena, sizeof arena);
     if (!err)
         err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);

@@ -19,6 +19,18 @@ static inline void report_field(uint64_t v)
     hal_write(number_text(room, v));
 }
 
+/* Pools for all of a scene, and some to spare for what is clipped. */
+static inline void report_pools(struct zs_config *c, const struct zs_scene *scene)
+{
+    uint32_t tris = 256, verts = 256;
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+        tris += scene->instance[i].mesh->n_tris;
+        verts += scene->instance[i].mesh->n_verts;
+    }
+    c->max_tris = (uint16_t)(tris < ZS_POOL_MAX ? tris : ZS_POOL_MAX);
+    c->max_verts = (uint16_t)(verts < ZS_POOL_MAX ? verts : ZS_POOL_MAX);
+}
+
 /* zs_sink.submit: to nowhere. */
 static inline int report_drop(void *ctx, const struct zs_strip *s)
 {

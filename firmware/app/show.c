@@ -11,7 +11,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
-#include "number.h"
+#include "line.h"
 #include "panel.h"
 #include "show.h"
 #if SHOW_PIECE
@@ -71,32 +71,6 @@ static uint64_t wire; /* ticks that a frame takes in the panel's functions when 
 #else
 #define COLUMNS_2
 #endif
-
-/* ---- Text --------------------------------------------------------------------------------------------------- */
-
-static char line[96];
-static uint32_t line_n;
-
-static void put(const char *text)
-{
-    while (*text && line_n + 1u < sizeof line)
-        line[line_n++] = *text++;
-}
-
-static void put_number(uint64_t v)
-{
-    char room[NUMBER_CHARS];
-    put(number_text(room, v));
-}
-
-/* Lines are written whole: a board may then send them by itself. */
-static void put_end(void)
-{
-    put("\n");
-    line[line_n] = '\0';
-    hal_write(line);
-    line_n = 0;
-}
 
 static void report(int err)
 {

@@ -60,14 +60,9 @@ static int measure(const struct demo *d)
     struct zs_config c = { .width = d->width, .height = d->height, .strip_h = ROWS, .varyings = (uint8_t)d->varyings,
                            .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
     uint64_t full, first, still, moved, part;
-    uint32_t tris = 256, verts = 256, all, sent;
+    uint32_t all, sent;
     d->pose(&frame, 0, d->width, d->height);
-    for (uint32_t i = 0; i < frame.scene.n_instances; i++) {
-        tris += frame.scene.instance[i].mesh->n_tris;
-        verts += frame.scene.instance[i].mesh->n_verts;
-    }
-    c.max_tris = (uint16_t)(tris < ZS_POOL_MAX ? tris : ZS_POOL_MAX);
-    c.max_verts = (uint16_t)(verts < ZS_POOL_MAX ? verts : ZS_POOL_MAX);
+    report_pools(&c, &frame.scene);
     hal_write(d->name);
     int err = zs_init(&renderer, &c, arena, sizeof arena);
     err = err ? err : draw(&full, &all, 0);

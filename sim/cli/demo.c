@@ -92,8 +92,6 @@ static const struct sim_option table[] = {
     SIM_HELP_OPTIONS(AT(help)),
 };
 
-#define N_TABLE (sizeof table / sizeof table[0])
-
 static const struct sim_help help = {
     "zsim demo [options]",
     "Draws demo scenes, with and without effects, and bench scenes strip by strip as a board would: DIR/SCENE_NNN.png, "

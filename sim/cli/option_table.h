@@ -47,6 +47,8 @@ struct sim_option {
     const char *(*list)(void); /* names that there are, told on lines of their own behind the sentence; NULL: none */
 };
 
+/* Rows of a program's own table, which is called so. */
+#define N_TABLE (sizeof table / sizeof table[0])
 /* The rows that every table ends with: a flag at the offset `to`. */
 #define SIM_HELP_OPTIONS(to) \
     { "-h", SIM_OPTION_FLAG, to, .help = "" }, { "--help", SIM_OPTION_FLAG, to, .help = "this text" }

@@ -117,8 +117,6 @@ static const struct sim_option table[] = {
     SIM_HELP_OPTIONS(AT(help)),
 };
 
-#define N_TABLE (sizeof table / sizeof table[0])
-
 const struct sim_option *sim_options_rows(size_t *n)
 {
     *n = N_TABLE;

@@ -54,7 +54,6 @@ static const struct sim_option table[] = {
     { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
 };
-#define N_TABLE (sizeof table / sizeof table[0])
 
 static const struct sim_help help = {
     "zsim try MODEL [options]",

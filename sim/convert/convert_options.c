@@ -84,8 +84,6 @@ static const struct sim_option table[] = {
     SIM_HELP_OPTIONS(AT(help)),
 };
 
-#define N_TABLE (sizeof table / sizeof table[0])
-
 void sim_convert_help(void)
 {
     static const struct sim_help help = {

@@ -34,8 +34,6 @@ static const struct sim_option table[] = {
     SIM_HELP_OPTIONS(AT(help)),
 };
 
-#define N_TABLE (sizeof table / sizeof table[0])
-
 static const struct sim_help help = {
     "zsim gallery [options]",
     "Draws four scenes by every method of hidden-surface removal and writes one page, DIR/index.html, that needs no "

@@ -311,7 +311,6 @@ static const struct sim_option table[] = {
       .help = "what is counted in frame 0 of a demo or bench scene as make bench draws it, and what that costs" },
     SIM_HELP_OPTIONS(AT(help)),
 };
-#define N_TABLE (sizeof table / sizeof table[0])
 
 static const struct sim_help help = {
     "zlab costs [options]",

@@ -63,8 +63,6 @@ static const struct sim_option table[] = {
     SIM_HELP_OPTIONS(AT(help)),
 };
 
-#define N_TABLE (sizeof table / sizeof table[0])
-
 /* What datasheets allow, and no more than jumper wires carry. */
 static long usual_speed(const char *panel)
 {

@@ -52,8 +52,6 @@ static const struct sim_option table[] = {
     SIM_HELP_OPTIONS(AT(help)),
 };
 
-#define N_TABLE (sizeof table / sizeof table[0])
-
 static const struct sim_help help = {
     "zsim panel --panel NAME:WxH --decode STREAM --out F_%03d.png [options]",
     "Decodes what went over a panel's wire, as its controller would, into what is seen on its glass.",

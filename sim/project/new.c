@@ -42,7 +42,6 @@ static const struct sim_option table[] = {
     { "--name, --map, --bvh", SIM_OPTION_WORD, .help = "are not taken; all other options are those of zsim convert" },
     SIM_HELP_OPTIONS(AT(help)),
 };
-#define N_TABLE (sizeof table / sizeof table[0])
 
 static const struct sim_help help = {
     "zsim new MODEL --out DIR [--board BOARD] [options of zsim convert]",

@@ -66,7 +66,6 @@ static const struct sim_option table[] = {
       .help = "what that counted on a core (time, memory); make report does all of it" },
     SIM_HELP_OPTIONS(AT(help)),
 };
-#define N_TABLE (sizeof table / sizeof table[0])
 
 static const struct sim_help help = {
     "zsim study NAME [options]\n"

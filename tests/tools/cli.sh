@@ -30,19 +30,7 @@ awk 'BEGIN { n = 300
 awk '$1 == "v" { printf "v %s %s %.3f\n", $2, $3, 6 * sin($2 / 9) * cos($3 / 7); next } { print }' \
     grid.obj >hills.obj
 # Boxes that reach through one another, and long thin triangles
-awk 'BEGIN { srand(7); n = 0
-    split("0 1 3 2 4 6 7 5 0 4 5 1 2 3 7 6 0 2 6 4 1 5 7 3", q, " ")
-    for (b = 0; b < 30; b++) {
-        for (k = 0; k < 3; k++) { c[k] = rand() * 4 - 2; d[k] = rand() * 1.2 + 0.1 }
-        for (v = 0; v < 8; v++)
-            printf "v %.5f %.5f %.5f\n", c[0] + d[0] * (int(v / 4) * 2 - 1),
-                c[1] + d[1] * (int(v / 2) % 2 * 2 - 1), c[2] + d[2] * (v % 2 * 2 - 1)
-        for (f = 0; f < 6; f++)
-            print "f", n + q[4 * f + 1] + 1, n + q[4 * f + 2] + 1, n + q[4 * f + 3] + 1, n + q[4 * f + 4] + 1
-        n += 8 }
-    for (t = 0; t < 100; t++) {
-        for (v = 0; v < 3; v++) printf "v %.5f %.5f %.5f\n", rand() * 8 - 4, rand() * 8 - 4, rand() * 8 - 4
-        print "f", n + 1, n + 2, n + 3; n += 3 } }' >mess.obj
+boxes 7 30 100 >mess.obj
 p='\000\000\110\102' m='\000\000\110\302' o='\000\000\000\000' # 50, -50, 0 as floats
 P='\102\110\000\000' M='\302\110\000\000'
 ply() { # FORMAT

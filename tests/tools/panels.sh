@@ -7,16 +7,7 @@ set -u
 . "$top/tests/tools/panel.sh"
 
 # Boxes of many sizes in a heap, from no side the same
-awk 'BEGIN { srand(3); n = 0
-    split("0 1 3 2 4 6 7 5 0 4 5 1 2 3 7 6 0 2 6 4 1 5 7 3", q, " ")
-    for (b = 0; b < 14; b++) {
-        for (k = 0; k < 3; k++) { c[k] = rand() * 4 - 2; d[k] = rand() * 1.2 + 0.1 }
-        for (v = 0; v < 8; v++)
-            printf "v %.5f %.5f %.5f\n", c[0] + d[0] * (int(v / 4) * 2 - 1),
-                c[1] + d[1] * (int(v / 2) % 2 * 2 - 1), c[2] + d[2] * (v % 2 * 2 - 1)
-        for (f = 0; f < 6; f++)
-            print "f", n + q[4 * f + 1] + 1, n + q[4 * f + 2] + 1, n + q[4 * f + 3] + 1, n + q[4 * f + 4] + 1
-        n += 8 } }' >heap.obj
+boxes 3 14 0 >heap.obj
 look='--background 204060 --color ff9040 --light 2,3,1'
 
 # ---- Every panel ----------------------------------------------------------------------------------

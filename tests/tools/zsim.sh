@@ -18,6 +18,23 @@ UBSAN_OPTIONS=exitcode=99
 export LSAN_OPTIONS ASAN_OPTIONS UBSAN_OPTIONS
 cd "$work" || exit 1
 
+# SEED BOXES TRIANGLES: an OBJ of boxes that reach through one another, and of long thin triangles
+boxes() {
+    awk -v seed="$1" -v boxes="$2" -v triangles="$3" 'BEGIN { srand(seed); n = 0
+        split("0 1 3 2 4 6 7 5 0 4 5 1 2 3 7 6 0 2 6 4 1 5 7 3", q, " ")
+        for (b = 0; b < boxes; b++) {
+            for (k = 0; k < 3; k++) { c[k] = rand() * 4 - 2; d[k] = rand() * 1.2 + 0.1 }
+            for (v = 0; v < 8; v++)
+                printf "v %.5f %.5f %.5f\n", c[0] + d[0] * (int(v / 4) * 2 - 1),
+                    c[1] + d[1] * (int(v / 2) % 2 * 2 - 1), c[2] + d[2] * (v % 2 * 2 - 1)
+            for (f = 0; f < 6; f++)
+                print "f", n + q[4 * f + 1] + 1, n + q[4 * f + 2] + 1, n + q[4 * f + 3] + 1, n + q[4 * f + 4] + 1
+            n += 8 }
+        for (t = 0; t < triangles; t++) {
+            for (v = 0; v < 3; v++) printf "v %.5f %.5f %.5f\n", rand() * 8 - 4, rand() * 8 - 4, rand() * 8 - 4
+            print "f", n + 1, n + 2, n + 3; n += 3 } }'
+}
+
 # ---- What a test is made of --------------------------------------------------------------------
 n_failed=0
 name=none

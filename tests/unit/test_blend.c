@@ -195,16 +195,6 @@ static void texels_with_alpha(void **state)
 
 /* ---- Random worlds ---------------------------------------------------------------------------- */
 
-static const struct zs_shader *const of_kind[6][4] = {
-    { &zs_shade_raw, &zs_blend_raw, &zs_add_raw, &zs_stipple_raw },
-    { &zs_shade_flat, &zs_blend_flat, &zs_add_flat, &zs_stipple_flat },
-    { &zs_shade_smooth, &zs_blend_smooth, &zs_add_smooth, &zs_stipple_smooth },
-    { &zs_shade_texture, &zs_blend_texture, &zs_add_texture, &zs_stipple_texture },
-    { &zs_shade_texture_flat, &zs_blend_texture_flat, &zs_add_texture_flat, &zs_stipple_texture_flat },
-    { &zs_shade_texture_smooth, &zs_blend_texture_smooth, &zs_add_texture_smooth, &zs_stipple_texture_smooth },
-};
-enum { OPAQUE, BLEND, ADD, STIPPLE };
-
 /* A world in two ways: some instances with a shader of a kind, and the same with what that should draw. */
 struct twins {
     struct world w;
@@ -217,7 +207,7 @@ struct twins {
 static int family_of(const struct zs_shader *shader)
 {
     for (int k = 0; k < 6; k++)
-        if (of_kind[k][OPAQUE] == shader)
+        if (layer_shaders[k][OPAQUE] == shader)
             return k;
     return -1;
 }
@@ -238,7 +228,7 @@ static void twins_make(struct twins *t, struct prng *p, int kind, int other, uin
             const int to = k ? other : kind;
             t->blend[j][k] = (struct zs_blend){ t->w.material[j], alpha, phase };
             if (family >= 0)
-                t->blend[j][k].material.shader = to == NOTHING ? &zs_shade_none : of_kind[family][to];
+                t->blend[j][k].material.shader = to == NOTHING ? &zs_shade_none : layer_shaders[family][to];
         }
         for (uint32_t i = 0; i < n; i++) {
             struct zs_instance *in = &t->as[k][i];
@@ -501,17 +491,17 @@ static void what_shaders_lack_is_refused(void **state)
     struct zs_mesh bare = m.mesh;
     bare.uv = NULL;
     for (int kind = BLEND; kind <= STIPPLE; kind++) {
-        assert_int_equal(refused(of_kind[0][kind], &bare, NULL, 0, 0), ZS_OK);
-        assert_int_equal(refused(of_kind[1][kind], &bare, NULL, 0, 0), ZS_OK);
-        assert_int_equal(refused(of_kind[2][kind], &bare, NULL, 0, 3), ZS_ERR_MESH);
-        assert_int_equal(refused(of_kind[2][kind], &bare, NULL, 0, 2), ZS_ERR_VARYINGS);
-        assert_int_equal(refused(of_kind[3][kind], &m.mesh, &m.texture, 0, 2), ZS_OK);
-        assert_int_equal(refused(of_kind[3][kind], &m.mesh, &m.texture, 0, 1), ZS_ERR_VARYINGS);
+        assert_int_equal(refused(layer_shaders[0][kind], &bare, NULL, 0, 0), ZS_OK);
+        assert_int_equal(refused(layer_shaders[1][kind], &bare, NULL, 0, 0), ZS_OK);
+        assert_int_equal(refused(layer_shaders[2][kind], &bare, NULL, 0, 3), ZS_ERR_MESH);
+        assert_int_equal(refused(layer_shaders[2][kind], &bare, NULL, 0, 2), ZS_ERR_VARYINGS);
+        assert_int_equal(refused(layer_shaders[3][kind], &m.mesh, &m.texture, 0, 2), ZS_OK);
+        assert_int_equal(refused(layer_shaders[3][kind], &m.mesh, &m.texture, 0, 1), ZS_ERR_VARYINGS);
         for (int k = 3; k < 6; k++) {
-            assert_int_equal(refused(of_kind[k][kind], &bare, &m.texture, 0, 3), ZS_ERR_MESH);
-            assert_int_equal(refused(of_kind[k][kind], &m.mesh, NULL, 0, 3), k < 5 ? ZS_ERR_NULL : ZS_ERR_MESH);
+            assert_int_equal(refused(layer_shaders[k][kind], &bare, &m.texture, 0, 3), ZS_ERR_MESH);
+            assert_int_equal(refused(layer_shaders[k][kind], &m.mesh, NULL, 0, 3), k < 5 ? ZS_ERR_NULL : ZS_ERR_MESH);
         }
-        assert_int_equal(refused(of_kind[5][kind], &m.mesh, &m.texture, 0, 3), ZS_ERR_MESH);
+        assert_int_equal(refused(layer_shaders[5][kind], &m.mesh, &m.texture, 0, 3), ZS_ERR_MESH);
     }
     assert_int_equal(refused(&zs_stipple_raw, &bare, NULL, 255, 0), ZS_OK);
 }

@@ -350,14 +350,20 @@ static struct zs_config world_config(struct prng *p, const struct world *w)
 
 static unsigned again, strokes_drawn;
 
+/* A world that keeps its spheres, with strokes in it. */
+static void world_of_strokes(struct world *w, struct strokes *s, struct prng *p)
+{
+    for (world_make(w, p, 0); !w->trusted; world_make(w, p, 0))
+        world_free(w);
+    strokes_make(s, w, p);
+}
+
 static int way_case(uint64_t seed)
 {
     struct prng p = { seed };
     static struct world w;
     static struct strokes s;
-    for (world_make(&w, &p, 0); !w.trusted; world_make(&w, &p, 0))
-        world_free(&w);
-    strokes_make(&s, &w, &p);
+    world_of_strokes(&w, &s, &p);
     struct zs_config c = world_config(&p, &w);
     static const struct zs_method *const sorting[] = { &zs_method_painter, &zs_method_depthsort, &zs_method_coverage };
     const uint32_t sorts = c.depth == &zs_depth_none ? prng_pick(&p, 4) : 0;
@@ -392,9 +398,7 @@ static int viewport_case(uint64_t seed)
     struct prng p = { seed };
     static struct world w;
     static struct strokes s;
-    for (world_make(&w, &p, 0); !w.trusted; world_make(&w, &p, 0))
-        world_free(&w);
-    strokes_make(&s, &w, &p);
+    world_of_strokes(&w, &s, &p);
     w.scene.sky = NULL; /* which knows where the viewport is, as the next two do */
     w.scene.n_resolves = 0;
     for (int k = 0; k < WORLD_MATERIALS; k++)

@@ -111,6 +111,23 @@ static int renderer_make(struct zs_renderer *r, const struct zs_config *c, void 
     return *arena ? zs_init(r, c, *arena, zs_arena_bytes(c)) : -1;
 }
 
+/* Draw with four samples a pixel onto the glass, of a quarter of the size. */
+static int show(const struct zs_config *c, const struct zs_scene *scene, const struct zs_camera *camera, int late)
+{
+    struct zs_renderer r;
+    struct zs_supersample s;
+    void *arena;
+    memset(&glass, 0, sizeof glass);
+    glass.w = c->width / 2;
+    glass.h = c->height / 2;
+    const struct zs_sink sink = glass_sink(&glass, late);
+    int err = renderer_make(&r, c, &arena);
+    err = err ? err : zs_supersample_init(&s, &r, &sink);
+    err = err ? err : zs_render(&r, scene, camera, &s.sink);
+    free(arena);
+    return err;
+}
+
 /* ---- Averages ---------------------------------------------------------------------------------- */
 
 /* Sky: random samples, or one colour for all four of a pixel, that differs from pixel to pixel. */
@@ -145,16 +162,7 @@ static int average_case(uint64_t seed)
         sky.fill = level_fill;
     }
     const struct zs_camera camera = pixel_camera(c.height, 0);
-    struct zs_renderer r;
-    struct zs_supersample s;
-    void *arena;
-    memset(&glass, 0, sizeof glass);
-    glass.w = c.width / 2;
-    glass.h = c.height / 2;
-    const struct zs_sink sink = glass_sink(&glass, (int)prng_pick(&p, 2));
-    int err = renderer_make(&r, &c, &arena);
-    err = err ? err : zs_supersample_init(&s, &r, &sink);
-    err = err ? err : zs_render(&r, &scene, &camera, &s.sink);
+    const int err = show(&c, &scene, &camera, (int)prng_pick(&p, 2));
     struct picture samples = picture_draw(&c, &scene, &camera);
     CASE_CHECK(!err && !samples.err && glass.ends == 1 && glass.sent == (uint32_t)(glass.w * glass.h));
     int right = shows(&glass, &samples);
@@ -164,7 +172,6 @@ static int average_case(uint64_t seed)
         right &= !memcmp(glass.px[k / 256][k % 256], bytes, 2);
     }
     picture_free(&samples);
-    free(arena);
     return right || case_wrong("%d x %d", c.width, c.height);
 }
 
@@ -188,18 +195,8 @@ static int world_case(uint64_t seed)
     struct picture samples = picture_draw(&c, &w.scene, &w.camera);
     picture_any_way(&p, &c, 2, 6);
     c.strip_h = (uint16_t)((c.strip_h + 1) & ~1);
-    struct zs_renderer r;
-    struct zs_supersample s;
-    void *arena;
-    memset(&glass, 0, sizeof glass);
-    glass.w = c.width / 2;
-    glass.h = c.height / 2;
-    const struct zs_sink sink = glass_sink(&glass, (int)prng_pick(&p, 2));
-    int err = renderer_make(&r, &c, &arena);
-    err = err ? err : zs_supersample_init(&s, &r, &sink);
-    err = err ? err : zs_render(&r, &w.scene, &w.camera, &s.sink);
+    const int err = show(&c, &w.scene, &w.camera, (int)prng_pick(&p, 2));
     const int right = err == samples.err && (err || shows(&glass, &samples));
-    free(arena);
     picture_free(&samples);
     world_free(&w);
     return right || case_wrong("errors %d and %d", err, samples.err);

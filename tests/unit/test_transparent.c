@@ -167,19 +167,11 @@ static struct zs_blend blends[WORLD_MATERIALS];
 /* Replace some materials of a world by layers. */
 static void world_layers(struct world *w, struct prng *p)
 {
-    static const struct zs_shader *const of_kind[6][4] = {
-        { &zs_shade_raw, &zs_blend_raw, &zs_add_raw, &zs_stipple_raw },
-        { &zs_shade_flat, &zs_blend_flat, &zs_add_flat, &zs_stipple_flat },
-        { &zs_shade_smooth, &zs_blend_smooth, &zs_add_smooth, &zs_stipple_smooth },
-        { &zs_shade_texture, &zs_blend_texture, &zs_add_texture, &zs_stipple_texture },
-        { &zs_shade_texture_flat, &zs_blend_texture_flat, &zs_add_texture_flat, &zs_stipple_texture_flat },
-        { &zs_shade_texture_smooth, &zs_blend_texture_smooth, &zs_add_texture_smooth, &zs_stipple_texture_smooth },
-    };
     for (uint32_t j = 0; j < WORLD_MATERIALS; j++) {
         blends[j] = (struct zs_blend){ w->material[j], (uint8_t)prng_pick(p, 256), (uint8_t)prng_pick(p, 64) };
         for (int k = 0; k < 6; k++)
-            if (w->material[j].shader == of_kind[k][0])
-                blends[j].material.shader = of_kind[k][prng_pick(p, 4)];
+            if (w->material[j].shader == layer_shaders[k][0])
+                blends[j].material.shader = layer_shaders[k][prng_pick(p, 4)];
     }
     for (uint32_t i = 0; i < w->n_instances; i++)
         if (w->instance[i].material)

@@ -92,15 +92,10 @@ static void blue_run(struct zs_job *job, const struct zs_row *row, int32_t from,
     run(job, row, from, to, &zs_dither_blue);
 }
 
-const struct zs_shader zs_shade_smooth_ordered = { .opaque = 1,
-                                                   .vertex = zs_smooth_vertex,
-                                                   .start = zs_smooth_start,
-                                                   .run = ordered_run,
-                                                   .check = zs_smooth_usable,
-                                                   .n_varyings = ZS_VARYINGS_SMOOTH };
-const struct zs_shader zs_shade_smooth_blue = { .opaque = 1,
-                                                .vertex = zs_smooth_vertex,
-                                                .start = zs_smooth_start,
-                                                .run = blue_run,
-                                                .check = zs_smooth_usable,
-                                                .n_varyings = ZS_VARYINGS_SMOOTH };
+/* zs_shade_smooth but for how a run is written. */
+#define DITHERED(run_) \
+    { .vertex = zs_smooth_vertex, .start = zs_smooth_start, .run = (run_), \
+      .check = zs_smooth_usable, .n_varyings = ZS_VARYINGS_SMOOTH, .opaque = 1 }
+
+const struct zs_shader zs_shade_smooth_ordered = DITHERED(ordered_run);
+const struct zs_shader zs_shade_smooth_blue = DITHERED(blue_run);

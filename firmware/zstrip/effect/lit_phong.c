@@ -387,17 +387,11 @@ static void near_run(struct zs_job *job, const struct zs_row *row, int32_t r0, i
     each(job, row, r0, r1, zs_lit_placed(zs_lit_material_of(in), &job->r->camera));
 }
 
-const struct zs_shader zs_shade_phong = { .vertex = zs_phong_vertex,
-                                          .face = zs_phong_face,
-                                          .start = phong_start,
-                                          .run = phong_run,
-                                          .check = zs_phong_check,
-                                          .n_varyings = ZS_VARYINGS_LIT,
-                                          .opaque = 1 };
-const struct zs_shader zs_shade_phong_near = { .vertex = zs_phong_near_vertex,
-                                               .face = zs_phong_face,
-                                               .start = near_start,
-                                               .run = near_run,
-                                               .check = zs_phong_near_check,
-                                               .n_varyings = ZS_VARYINGS_PHONG_NEAR,
-                                               .opaque = 1 };
+#define PHONG(vertex_, start_, run_, check_, varyings_) \
+    { .vertex = (vertex_), .face = zs_phong_face, .start = (start_), .run = (run_), \
+      .check = (check_), .n_varyings = (varyings_), .opaque = 1 }
+
+const struct zs_shader zs_shade_phong = PHONG(zs_phong_vertex, phong_start, phong_run,
+                                              zs_phong_check, ZS_VARYINGS_LIT);
+const struct zs_shader zs_shade_phong_near = PHONG(zs_phong_near_vertex, near_start, near_run,
+                                                   zs_phong_near_check, ZS_VARYINGS_PHONG_NEAR);

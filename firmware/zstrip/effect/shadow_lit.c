@@ -295,17 +295,11 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
     return in->mesh->normal ? lit_check(in, config) : ZS_ERR_MESH;
 }
 
-const struct zs_shader zs_shade_shadowed_flat = { .vertex = place_vertex,
-                                                  .face = flat_face,
-                                                  .start = lit_start,
-                                                  .run = flat_run,
-                                                  .check = lit_check,
-                                                  .n_varyings = ZS_VARYINGS_SHADOWED_FLAT,
-                                                  .opaque = 1 };
-const struct zs_shader zs_shade_shadowed_smooth = { .vertex = smooth_vertex,
-                                                    .face = smooth_face,
-                                                    .start = lit_start,
-                                                    .run = smooth_run,
-                                                    .check = smooth_check,
-                                                    .n_varyings = ZS_VARYINGS_SHADOWED_SMOOTH,
-                                                    .opaque = 1 };
+#define SHADOWED(vertex_, face_, run_, check_, varyings_) \
+    { .vertex = (vertex_), .face = (face_), .start = lit_start, .run = (run_), .check = (check_), \
+      .n_varyings = (varyings_), .opaque = 1 }
+
+const struct zs_shader zs_shade_shadowed_flat = SHADOWED(
+    place_vertex, flat_face, flat_run, lit_check, ZS_VARYINGS_SHADOWED_FLAT);
+const struct zs_shader zs_shade_shadowed_smooth = SHADOWED(
+    smooth_vertex, smooth_face, smooth_run, smooth_check, ZS_VARYINGS_SHADOWED_SMOOTH);

@@ -7,6 +7,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "../card.h"
 #include "hal.h"
 #include "report.h"
 #include "zs_blend.h"
@@ -35,20 +36,11 @@ ZS_RENDERER(sun, MAP, MAP, MAP, 16, 16, 0);
 
 static uint16_t texels[2u << 2 * LOG2], palette[512], keys[MAP * MAP];
 static struct zs_texture texture;
-static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 static const zs_q1_15 normal[4][3] = {
     { -9000, 0, 31500 }, { 9000, 0, 31500 }, { 9000, 0, 31500 }, { -9000, 0, 31500 }
 };
 static int16_t pos[4][3], uv[4][2];
-static const struct zs_mesh card = { .pos = pos,
-                                     .tri = tri,
-                                     .normal = normal,
-                                     .face_normal = normal,
-                                     .uv = uv,
-                                     .uv_bits = 15,
-                                     .n_verts = 4,
-                                     .n_tris = 2,
-                                     .radius = 4000 };
+static const struct zs_mesh card = CARD(pos, normal, uv, 15, 4000);
 
 static const struct zs_mesh *shape = &card; /* what is drawn */
 

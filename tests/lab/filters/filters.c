@@ -7,6 +7,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "../card.h"
 #include "hal.h"
 #include "report.h"
 #include "zs_filter.h"
@@ -20,22 +21,13 @@ ZS_RENDERER(screen, W, H, 24, 64, 64, 3);
 static uint16_t chain[2u << 2 * LOG2], palette[512];
 static struct zs_texture texture;
 
-static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 static const zs_q1_15 up[4][3] = { { 0, 0, 32767 }, { 0, 0, 32767 }, { 0, 0, 32767 }, { 0, 0, 32767 } };
 static int16_t pos[4][3] = { { -160, -120, -120 }, { 160, -120, -120 }, { 160, 120, -120 }, { -160, 120, -120 } };
 static int16_t uv[4][2];
 
 static int draw(const struct zs_shader *shader, uint64_t *instructions)
 {
-    const struct zs_mesh mesh = { .pos = pos,
-                                  .tri = tri,
-                                  .normal = up,
-                                  .face_normal = up,
-                                  .uv = uv,
-                                  .uv_bits = 8,
-                                  .n_verts = 4,
-                                  .n_tris = 2,
-                                  .radius = 65535 };
+    const struct zs_mesh mesh = CARD(pos, up, uv, 8, 65535);
     const struct zs_material material = { .shader = shader, .cull = ZS_CULL_NONE, .texture = &texture };
     const struct zs_instance instance = { .mesh = &mesh, .material = &material };
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1 };

@@ -112,6 +112,14 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
     }
 }
 
+/* was: how often it was met. 1: it was; else its name is written. */
+static int met(unsigned long long was, const char *kind, const char *name)
+{
+    if (!was)
+        fprintf(stderr, "not reached: %s%s\n", kind, name);
+    return was != 0;
+}
+
 /* Names what a long run never came to; 1: nothing. */
 static int reached_all(void)
 {
@@ -121,52 +129,24 @@ static int reached_all(void)
               reached.skipped && reached.in_passes && reached.lines && reached.points && reached.hooks &&
               reached.mirrors && reached.windows;
     for (size_t k = 0; k < KINDS(errors); k++)
-        if (!reached.refused[-errors[k]]) {
-            fprintf(stderr, "not reached: %s\n", zs_error_string(errors[k]));
-            all = 0;
-        }
+        all &= met(reached.refused[-errors[k]], "", zs_error_string(errors[k]));
     for (size_t k = 0; k < KINDS(kind_depths); k++)
-        if (!reached.depth[k][1] || (kind_depths[k].any_camera && !reached.depth[k][0])) {
-            fprintf(stderr, "not reached: depth %s\n", kind_depths[k].name);
-            all = 0;
-        }
+        all &= met(reached.depth[k][1] && (!kind_depths[k].any_camera || reached.depth[k][0]), "depth ",
+                   kind_depths[k].name);
     for (size_t k = 0; k < KINDS(kind_shaders); k++)
-        if (!reached.shader[k]) {
-            fprintf(stderr, "not reached: shader %s\n", kind_shaders[k].name);
-            all = 0;
-        }
+        all &= met(reached.shader[k], "shader ", kind_shaders[k].name);
     for (size_t k = 0; k < KINDS(kind_texels); k++)
-        if (!reached.texel[k]) {
-            fprintf(stderr, "not reached: texels %s\n", kind_texels[k].name);
-            all = 0;
-        }
+        all &= met(reached.texel[k], "texels ", kind_texels[k].name);
     for (size_t k = 0; k < KINDS(kind_methods); k++)
-        if (!reached.method[k]) {
-            fprintf(stderr, "not reached: method %s\n", kind_methods[k].name);
-            all = 0;
-        }
+        all &= met(reached.method[k], "method ", kind_methods[k].name);
     for (size_t k = 0; k < EFFECT_KINDS; k++)
-        if (!reached.effect[k]) {
-            fprintf(stderr, "not reached: effect %s\n", kind_effects[k].name);
-            all = 0;
-        }
+        all &= met(reached.effect[k], "effect ", kind_effects[k].name);
     for (size_t k = 0; k < EFFECT_TEXELS; k++)
-        if (!reached.alpha[k]) {
-            fprintf(stderr, "not reached: texels %s\n", kind_alpha_texels[k].name);
-            all = 0;
-        }
+        all &= met(reached.alpha[k], "texels ", kind_alpha_texels[k].name);
     return all;
 }
 
 /* ---- Configurations --------------------------------------------------------------------------- */
-
-static const struct kind_method *method_of(const struct zs_config *c)
-{
-    const struct kind_method *k = kind_methods;
-    while (k->method != c->method)
-        k++;
-    return k;
-}
 
 /* The part that a picture depends on; mostly a mapping that the camera takes. Every third by a method. */
 static struct zs_config profile(struct prng *p, const struct zs_camera *camera)

@@ -57,6 +57,15 @@ static const struct kind_method kind_methods[] = {
     { &zs_method_transparent, "transparent", NULL, 2, 6 },
 };
 
+/* The row of a configuration's method, which is one of them. */
+static inline const struct kind_method *method_of(const struct zs_config *c)
+{
+    const struct kind_method *k = kind_methods;
+    while (k->method != c->method)
+        k++;
+    return k;
+}
+
 struct kind_texel {
     const struct zs_texel *format;
     const char *name;
@@ -69,5 +78,16 @@ static const struct kind_texel kind_texels[] = {
     { &zs_texel_pal8, "pal8", 8, 256 },
     { &zs_texel_pal4, "pal4", 4, 16 },
 };
+
+/* Shaders that are opaque, and those that lay the same colour over what is there. */
+static const struct zs_shader *const layer_shaders[6][4] = {
+    { &zs_shade_raw, &zs_blend_raw, &zs_add_raw, &zs_stipple_raw },
+    { &zs_shade_flat, &zs_blend_flat, &zs_add_flat, &zs_stipple_flat },
+    { &zs_shade_smooth, &zs_blend_smooth, &zs_add_smooth, &zs_stipple_smooth },
+    { &zs_shade_texture, &zs_blend_texture, &zs_add_texture, &zs_stipple_texture },
+    { &zs_shade_texture_flat, &zs_blend_texture_flat, &zs_add_texture_flat, &zs_stipple_texture_flat },
+    { &zs_shade_texture_smooth, &zs_blend_texture_smooth, &zs_add_texture_smooth, &zs_stipple_texture_smooth },
+};
+enum layer_kind { OPAQUE, BLEND, ADD, STIPPLE };
 
 #endif

@@ -415,14 +415,6 @@ static uint32_t tris(void)
     return n;
 }
 
-static const struct kind_method *method_of(const struct zs_config *c)
-{
-    const struct kind_method *k = kind_methods;
-    while (k->method != c->method)
-        k++;
-    return k;
-}
-
 static int hand_open(struct prng *p, struct hand *hand, struct zs_config c)
 {
     static const uint16_t pools[] = { 1, 2, 5, 20, 60, 60, 200, 200, POOL, POOL, POOL };
