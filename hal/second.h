@@ -30,8 +30,8 @@ int second_start(void (*run)(void), void (*called)(void));
 /* Hold the second core in reset, whatever it is at, and give its lock back. First core. Blocks a moment. */
 void second_stop(void);
 
-/* Let the first core call `called` soon. Either core, not from an interrupt. Several calls may become one; one that nobody
- * asked for may come at the start. */
+/* Let the first core call `called` soon. Either core, not from an interrupt. Several calls may become one; one that
+ * nobody asked for may come at the start. */
 void second_call(void);
 
 /* End the other core's second_sleep, or else its next one. Either core, also from an interrupt. */

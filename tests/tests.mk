@@ -84,8 +84,8 @@ $(B)/test/test_linux: $(call t,tests/unit/test_linux.c $(LINUX) $(filter-out $(M
 	@$(CC) $(SAN) -pthread $(LINUX_FAKED:%=-Wl,--wrap=%) -Wl,--start-group $(filter-out %/zsim,$^) -Wl,--end-group \
 	    -lcmocka $(LIBS) -o $@
 
-# One program, two compilers at two levels, and one for a big-endian machine, run by QEMU: its checksums must be the same;
-# those of bare-NAME too, which have no accelerators
+# One program, two compilers at two levels, and one for a big-endian machine, run by QEMU: its checksums must be the
+# same; those of bare-NAME too, which have no accelerators
 CHECKSUM_HOST = $(foreach c,gcc clang,$(foreach o,O0 O3,$(c)-$(o)))
 CHECKSUMS = $(CHECKSUM_HOST:%=$(B)/test/checksum-%) $(foreach o,O0 O2 Os,$(B)/test/checksum-powerpc-$(o))
 CHECKSUMS_BARE = $(patsubst %,$(B)/test/bare-%,$(CHECKSUM_HOST) powerpc-Os)

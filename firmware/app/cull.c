@@ -33,7 +33,8 @@ static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_CLUSTERS, Z
 static const struct zs_fast *const plain[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_END };
 static const struct zs_material red = { .shader = &zs_shade_flat, .rgb = { 230, 60, 40 } };
 
-/* Draw and print. The frame must be the one that *sum is of, unless that is 0. Return instructions; 0: it went wrong. */
+/* Draw and print. The frame must be the one that *sum is of, unless that is 0. Return instructions; 0: it went
+ * wrong. */
 static uint64_t measure(const char *scene_name, const char *variant, const struct zs_scene *scene,
                         const struct zs_camera *camera, const struct zs_fast *const *list, uint64_t *sum)
 {

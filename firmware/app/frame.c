@@ -1,5 +1,5 @@
-/* One frame of one scene, frame 0, for tests/boards/profile.sh to count: strips of 24 rows, one buffer, pools that take the scene
- * in one pass, as the bench's one-pass frames. FRAME_DEMO=mesh names the scene.
+/* One frame of one scene, frame 0, for tests/boards/profile.sh to count: strips of 24 rows, one buffer, pools that take
+ * the scene in one pass, as the bench's one-pass frames. FRAME_DEMO=mesh names the scene.
  *
  * SPDX-License-Identifier: MIT
  */

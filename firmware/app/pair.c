@@ -4,9 +4,10 @@
  * `sent` the first that is not out. A strip that is drawn lies in slot[number % SLOTS] and says so in drawn[]. Neither
  * core has more than its buffers drawn and not out, so that slots are never too few.
  *
- * While a frame is drawn the first core's thread writes what describes it, its interrupt `sent` and `out`, either core its
- * own of two and drawn[] of its own strips. `next` has the lock. The error is written by the first core, thread or interrupt;
- * whoever writes what lets the second core go on or end wakes it. Between frames the first core's thread sets all right.
+ * While a frame is drawn the first core's thread writes what describes it, its interrupt `sent` and `out`, either core
+ * its own of two and drawn[] of its own strips. `next` has the lock. The error is written by the first core, thread or
+ * interrupt; whoever writes what lets the second core go on or end wakes it. Between frames the first core's thread
+ * sets all right.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -3,9 +3,9 @@
  *
  * All of the sink's calls come in an interrupt of the first core: a strip is begun as soon as the one before it is out
  * and it is drawn, whatever that core is drawing itself. Each of the sink's transfers must end in pair_arrived, after
- * submit has returned: hooks.done of a bus with DMA. A panel's hooks.lock and hooks.unlock (hal.h) come in that interrupt
- * too, and must not block. Where the second core does not start, or stops (but in the few lines that hold second.h's
- * lock), the first one draws alone.
+ * submit has returned: hooks.done of a bus with DMA. A panel's hooks.lock and hooks.unlock (hal.h) come in that
+ * interrupt too, and must not block. Where the second core does not start, or stops (but in the few lines that hold
+ * second.h's lock), the first one draws alone.
  *
  * One pair in a program; static storage, 2.5 KB but for the arenas. All functions but pair_arrived are for the first
  * core, and not for interrupts.

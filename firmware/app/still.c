@@ -1,6 +1,6 @@
-/* What zs_damage_track saves: scenes drawn whole, then again with nothing changed, then with their last instance moved, by strips and
- * by columns as well (zs_damage_columns). One line of CSV a scene; instructions. Strips of 16 rows, one buffer, pools that
- * take the scene in one pass.
+/* What zs_damage_track saves: scenes drawn whole, then again with nothing changed, then with their last instance moved,
+ * by strips and by columns as well (zs_damage_columns). One line of CSV a scene; instructions. Strips of 16 rows, one
+ * buffer, pools that take the scene in one pass.
  *
  * SPDX-License-Identifier: MIT
  */

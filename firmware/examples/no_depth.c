@@ -1,5 +1,5 @@
-/* No depth memory: cards that are drawn from far to near cover each other. The strip's depth buffer, a third of the arena
- * here, is not there.
+/* No depth memory: cards that are drawn from far to near cover each other. The strip's depth buffer, a third of the
+ * arena here, is not there.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,5 +1,5 @@
-/* LM3S6965: the panel's wire (spi_bus.h). SSI0 carries it. Pixels leave by its interrupt, four bytes (9 us) at a time, while the
- * program goes on: some 85 instructions each. Commands are polled. The part has no DMA.
+/* LM3S6965: the panel's wire (spi_bus.h). SSI0 carries it. Pixels leave by its interrupt, four bytes (9 us) at a time,
+ * while the program goes on: some 85 instructions each. Commands are polled. The part has no DMA.
  *
  * A transfer ends in the interrupt that finds nothing left to send, which sees the last bytes leave (five of them,
  * 11 us), or in wait, when twice its time and a millisecond have passed. After a failure SSI0 is reset: whatever it

@@ -1,4 +1,5 @@
-/* RP2040: the panel's wire (spi_bus.h). SPI0 carries it; pixels go by DMA, which ends in an interrupt; commands are polled.
+/* RP2040: the panel's wire (spi_bus.h). SPI0 carries it; pixels go by DMA, which ends in an interrupt; commands are
+ * polled.
  *
  * A transfer ends in one of two interrupts, of equal priority, so that neither comes between the other's lines: the
  * DMA's, which then sees the last words leave the FIFO (nine of them, 2.3 us at 62.5 MHz), or the timer's, when twice

@@ -1,5 +1,6 @@
-/* A panel's bus over SPI: the verbs of struct hal_bus, what they refuse and what they remember, once for all boards whose
- * processor has the panel to itself. A board gives the wire below, calls spi_bus_start in hal_init, and links spi_bus.c.
+/* A panel's bus over SPI: the verbs of struct hal_bus, what they refuse and what they remember, once for all boards
+ * whose processor has the panel to itself. A board gives the wire below, calls spi_bus_start in hal_init, and links
+ * spi_bus.c.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -33,7 +34,8 @@ void spi_wire_release(void);
 int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data);
 
 /* CS low, D/C high, and begin to send n >= 1 bytes. D/C is high already.
- * Return HAL_ERR_NONE: spi_bus_end comes, or has come; else enum hal_err: the panel is released, spi_bus_end does not come. */
+ * Return HAL_ERR_NONE: spi_bus_end comes, or has come; else enum hal_err: the panel is released, spi_bus_end does not
+ * come. */
 int spi_wire_begin(const uint8_t *bytes, uint32_t n);
 
 /* Sleep until an interrupt, or not at all, while *running; for wait without the hook `idle`. */

@@ -1,4 +1,5 @@
-/* STM32F405: the panel's wire (spi_bus.h). SPI1 carries it; pixels go by DMA2, which ends in an interrupt; commands are polled.
+/* STM32F405: the panel's wire (spi_bus.h). SPI1 carries it; pixels go by DMA2, which ends in an interrupt; commands are
+ * polled.
  *
  * Frames of 8 bits, for pixels too: their more significant byte comes first in memory and on the wire; frames of 16
  * bits would swap the two, and this DMA has no swap. SPI1 sends without gaps if the DMA brings a byte in 32 cycles of

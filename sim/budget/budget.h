@@ -1,6 +1,6 @@
 /* What a display, a part, a strip height and a scene take, before there is a board: RAM by pool, stack, flash, time on
- * the wire and time to draw. Bytes are exact (sizes and flash of Cortex-M are on record: sim/budget/record_sizes.h); times are
- * estimates from costs by stage (costs.h).
+ * the wire and time to draw. Bytes are exact (sizes and flash of Cortex-M are on record: sim/budget/record_sizes.h);
+ * times are estimates from costs by stage (costs.h).
  *
  * SPDX-License-Identifier: MIT
  */

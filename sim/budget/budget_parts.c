@@ -20,11 +20,11 @@
  * Looked up: RP2040 datasheet (1.1; SPI 62.5 Mbit/s); STM32F103x8 DS5319, STM32F103xC DS5792 (2 and 3 SPIs, 18 Mbit/s),
  * STM32F405 DS8626 (3 SPIs, 42 Mbit/s; 112 + 16 KB of SRAM, 64 KB of CCM, RM0090 2.1), STM32F411xE DS10314, STM32F401xC
  * DS9716 (memory and clock, page 1); nRF51 and nRF52832: register FREQUENCY of SPI ends at 8 Mbit/s; nRF52840: SPIM3 at
- * 32; LM3S6965: SSI at half the clock at most (the maker's library); ESP32-C3: 400 KB of SRAM, of which 16 KB are cache,
- * SPI2 at 80 MHz (ESP-IDF, spi_master.h).
- * Taken from these, not looked up again: memory of nRF51822 PS v3.4, nRF52832 PS v1.8, nRF52840 PS v1.7, LM3S6965 (1.4);
- * SPI of STM32F401 and F411; STM32F746 DS10916; SAM D21 DS40001882, LPC176x UM10360 (1.3: two banks, the larger one) and
- * GD32VF103 (table 2, CB), whose SPI clocks are not given. */
+ * 32; LM3S6965: SSI at half the clock at most (the maker's library); ESP32-C3: 400 KB of SRAM, of which 16 KB are
+ * cache, SPI2 at 80 MHz (ESP-IDF, spi_master.h).
+ * Taken from these, not looked up again: memory of nRF51822 PS v3.4, nRF52832 PS v1.8, nRF52840 PS v1.7, LM3S6965
+ * (1.4); SPI of STM32F401 and F411; STM32F746 DS10916; SAM D21 DS40001882, LPC176x UM10360 (1.3: two banks, the larger
+ * one) and GD32VF103 (table 2, CB), whose SPI clocks are not given. */
 const struct budget_part budget_parts[] = {
     { "rp2040", SIM_CORE_RP2040, 125, 62.5, 264 * KB, 2048 * KB, "Raspberry Pi Pico, Cortex-M0+ (133 MHz at most)" },
     { "stm32f103c8", SIM_CORE_M3, 72, 18, 20 * KB, 64 * KB, "Cortex-M3, Blue Pill" },

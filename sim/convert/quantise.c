@@ -7,7 +7,8 @@
  *
  * The world unit: a mesh step (256 grid steps) is 2^k world units, with k as large as the eye and the
  * model allow, so that they use 2^28 .. 2^29 of the world. A converted mesh keeps its own world unit, halved as often.
- * The far plane may be 2^15 times farther. Where half a unit would be more than OFF_MAX_PX on the screen, the camera is refused: better than a wrong picture.
+ * The far plane may be 2^15 times farther. Where half a unit would be more than OFF_MAX_PX on the screen, the camera is
+ * refused: better than a wrong picture.
  *
  * Texture coordinates: a part has as many uv bits as the range of its int16 allows. Whole repeats
  * are taken off the part as a whole; where the coordinates could then not be held to 1/16 texel, off

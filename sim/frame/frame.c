@@ -179,9 +179,9 @@ int sim_frame_render_by(struct sim_frame *frame, const struct sim_drawing *drawi
  *   bands    strips that lie together. Where the pools do not hold the scene walks take longer than drawing, and a band
  *            takes its part of them alone.
  *   parts    of the triangles, in scene order, where a walk takes longer than the pixels: every n-th part to each,
- *            drawn as a frame of its own. The nearest key wins at every pixel, and on equal keys the earlier part: least
- *            (key, scene order), as in one frame. Not with states, which mind what was drawn before.
- */
+ *            drawn as a frame of its own. The nearest key wins at every pixel, and on equal keys the earlier part:
+ *            least (key, scene order), as in one frame. Not with states, which mind what was drawn
+ *            before. */
 enum way { BY_STRIPS, BY_BANDS, BY_PARTS };
 #define PART_TRIS 1500u   /* a part has at least so many, ... */
 #define PARTS_MAX 3u      /* ... and a thread at most so many parts, which evens out what threads take */

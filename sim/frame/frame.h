@@ -50,9 +50,9 @@ int sim_frame_render_by(struct sim_frame *frame, const struct sim_drawing *drawi
                         const char *what, const struct zs_sink *to);
 
 /* The same by n threads, each of which draws a share of the strips, or, where triangles are many beside the pixels, of
- * the triangles, by a renderer and an arena of its own. Of the statistics triangles are counted once, vertices, set-ups and
- * pixels are the sum, passes and pools the largest; arena_bytes are one arena's. The time is that of drawing, without
- * setting arenas up. */
+ * the triangles, by a renderer and an arena of its own. Of the statistics triangles are counted once, vertices, set-ups
+ * and pixels are the sum, passes and pools the largest; arena_bytes are one arena's. The time is that of drawing,
+ * without setting arenas up. */
 #define SIM_THREADS_MAX 64
 struct sim_frame_time {
     double wall, busiest; /* seconds: on the clock; of the processor, of the thread that took most */

@@ -8,8 +8,8 @@
 #include "zstrip.h"
 
 /* A scene with triangles [first, end) of all of another's, counted in scene order. Where it has all of a mesh's, the
- * mesh is the other's own; else one with the vertices that its triangles name. Spheres, poses and order are as they were, so
- * that every triangle is drawn with the same bits. Memory of its own. */
+ * mesh is the other's own; else one with the vertices that its triangles name. Spheres, poses and order are as they
+ * were, so that every triangle is drawn with the same bits. Memory of its own. */
 struct sim_share {
     struct zs_scene scene;
     struct zs_instance *instance; /* [n_instances] */

@@ -1,5 +1,5 @@
-/* Polygons to triangles. The page has a twin of this file (sim/web/page/polygon.js): what one of them computes, the other
- * one does in the same order, so that both give the same triangles.
+/* Polygons to triangles. The page has a twin of this file (sim/web/page/polygon.js): what one of them computes, the
+ * other one does in the same order, so that both give the same triangles.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,7 +1,7 @@
 #!/bin/sh
 # A study with its frames counted on emulated cores: firmware/app/study.c draws what zsim draws, on QEMU's Cortex-M3 and
-# on the same machine as Armv6-M (M0): instructions, not cycles. On an emulated RP2040 (pico): cycles, and on this machine
-# (host): instructions by callgrind, of some of the runs of study time. BUILD/study/NAME.csv, plots, and
+# on the same machine as Armv6-M (M0): instructions, not cycles. On an emulated RP2040 (pico): cycles, and on this
+# machine (host): instructions by callgrind, of some of the runs of study time. BUILD/study/NAME.csv, plots, and
 # BUILD/study/index.html.
 # Usage: sim/study/study.sh BUILD NAME [OPTION...]     options of zsim study: --quick, --full, --redo; NAME time or memory;
 #        CORES='m3 m0' (or m3 m0 pico host), ZSIM and OUT may be set in the environment
@@ -63,8 +63,8 @@ count() { # CORE STEPS COARSE BOUND
         firmware run "$@" 2>&1 # semihosting writes to either
     fi
 }
-# PROGRAM STEM: its lines, with what callgrind counted of each frame in the place of their instructions. It writes a file
-# a call of study_frame, numbered from 1.
+# PROGRAM STEM: its lines, with what callgrind counted of each frame in the place of their instructions. It writes a
+# file a call of study_frame, numbered from 1.
 host_counts() {
     rm -f "$2".*
     valgrind --tool=callgrind --toggle-collect=study_frame --dump-after=study_frame --callgrind-out-file="$2.out" \

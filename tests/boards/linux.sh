@@ -7,7 +7,8 @@
 # Not seen by it: time on the wire (QEMU's trace has no times), how much of the drawing goes on behind it (on one
 # emulated core, threads take turns), a real SPI controller's clock, DMA and speed limit, voltages. The kernel bit-bangs
 # SPI (spi-gpio) below the same spidev.
-# Where a release's packages cannot be reached, its half is SKIPPED, in as many words. What was fetched once stays in BUILD.
+# Where a release's packages cannot be reached, its half is SKIPPED, in as many words. What was fetched once stays in
+# BUILD.
 #
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2046,SC2086,SC2317

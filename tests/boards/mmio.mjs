@@ -267,8 +267,8 @@ function finish() {
         fs.writeFileSync(o.stream, new Uint8Array(stream.buffer, 0, 2 * n_stream));
 }
 
-// sleep=off: asleep, the core goes on at once at its next timer. Else virtual time follows the machine's own while it sleeps, and
-// runs milliseconds ahead where that is busy.
+// sleep=off: asleep, the core goes on at once at its next timer. Else virtual time follows the machine's own while it
+// sleeps, and runs milliseconds ahead where that is busy.
 const traces = ['memory_region_ops_write', ...(o.reads ? ['memory_region_ops_read'] : [])];
 const qemu = spawn('qemu-system-arm', ['-M', 'netduinoplus2', '-display', 'none', '-monitor', 'none', '-serial', 'null',
     '-icount', 'shift=0,sleep=off', ...traces.flatMap((t) => ['-trace', t]), '-kernel', o.image],

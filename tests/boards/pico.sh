@@ -195,8 +195,8 @@ broken_strip() { # NAME OPTIONS...
 }
 
 # Both cores, and something goes wrong: NAME TEXT FRAMES PICTURES OPTIONS...   FRAMES of cubes are drawn; of the
-# pictures those numbers are right, one other at least is not (where less than FRAMES are named), and the UART says TEXT,
-# or nothing.
+# pictures those numbers are right, one other at least is not (where less than FRAMES are named), and the UART says
+# TEXT, or nothing.
 goes_wrong() {
     name=$1 says=$2 n=$3 right=$4
     shift 4

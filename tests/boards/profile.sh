@@ -1,6 +1,6 @@
 #!/bin/sh
-# Instructions of one frame by function, on a board that QEMU counts (mps2, mps2-m4, mps2-m7, rv32): strips of 24 rows, one
-# pass, as the bench's. m0: code for Armv6-M on mps2, as there. Instructions are not cycles.
+# Instructions of one frame by function, on a board that QEMU counts (mps2, mps2-m4, mps2-m7, rv32): strips of 24 rows,
+# one pass, as the bench's. m0: code for Armv6-M on mps2, as there. Instructions are not cycles.
 # Usage: tests/boards/profile.sh BUILD BOARD SCENE [FUNCTION]     FUNCTION: its listing, with how often each line ran
 #
 # SPDX-License-Identifier: MIT

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Includes point one way: sim, tests -> firmware/app -> firmware/zstrip, hal/hal.h. hal never includes
-# firmware, zstrip never includes hal, sim/reference knows neither. In zstrip: fast -> shade; fast, shade, depth, damage,
-# support, method -> core -> arch, and all of them the headers at its root; no circle.
+# firmware, zstrip never includes hal, sim/reference knows neither. In zstrip: fast -> shade; fast, shade, depth,
+# damage, support, method -> core -> arch, and all of them the headers at its root; no circle.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"

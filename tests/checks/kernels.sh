@@ -1,6 +1,6 @@
 #!/bin/sh
-# Shaders, mappings, accelerators and panels are linked only where they are named: what a scene or a board does not need is
-# not in its firmware. And the core needs nothing of any of them by name.
+# Shaders, mappings, accelerators and panels are linked only where they are named: what a scene or a board does not need
+# is not in its firmware. And the core needs nothing of any of them by name.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# How large the renderer's files are: lines of code, without comments and blank ones; the longest file, function and line.
-# Where a goal is not met yet, the limit is what there is, and what is above the goal is named.
+# How large the renderer's files are: lines of code, without comments and blank ones; the longest file, function and
+# line. Where a goal is not met yet, the limit is what there is, and what is above the goal is named.
 # Usage: tests/checks/shape.sh BUILD          from the repository's top
 #        tests/checks/shape.sh BUILD columns  the lines that are too long, besides
 #
@@ -19,7 +19,7 @@ FUNCTION_MAX=${FUNCTION_MAX:-64}   # lines of code of a function, from { to }; t
 COLUMNS_MAX=${COLUMNS_MAX:-126}    # columns of a line in firmware/zstrip; the goal is 100
 COLUMNS_MANY=${COLUMNS_MANY:-22}    # ... and lines that have more
 ELSE_MAX=${ELSE_MAX:-239}          # columns of a line of what else is written here; the goal is 120
-ELSE_MANY=${ELSE_MANY:-314}
+ELSE_MANY=${ELSE_MANY:-169}
 
 # "FILE lines code" of each file; of each function "function FILE:LINE NAME code"
 lines() {

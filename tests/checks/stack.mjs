@@ -1,4 +1,5 @@
-// The worst case of the stack of a folder's functions: no recursion, fixed frames, and where calls through pointers may go.
+// The worst case of the stack of a folder's functions: no recursion, fixed frames, and where calls through pointers may
+// go.
 // Usage: node tests/checks/stack.mjs NAME DIR LIMIT PREFIX OUTSIDE EMPTY [FUNCTION...]
 //   DIR       objects of -g -ffunction-sections -fdata-sections -fstack-usage -fcallgraph-info=su, each with its .ci, and
 //             all.elf, a program that has all of them
@@ -14,8 +15,8 @@
 // Calls through pointers. The compiler gives the place of each; what is called there is an expression like
 // job->fast->lit, whose type the debug information has: field `lit` of struct zs_fast, or a variable. It may hold
 //   - what const tables have in that field of that struct: from their relocations, by offset;
-//   - what is assigned to it anywhere in the source, or given as that argument of a function: functions by name, what may be
-//     in another field or variable, what a function returns that returns such a pointer.
+//   - what is assigned to it anywhere in the source, or given as that argument of a function: functions by name, what
+//     may be in another field or variable, what a function returns that returns such a pointer.
 // A call whose place is not understood fails, as does a function whose address code takes and that is in no such place.
 //
 // SPDX-License-Identifier: MIT

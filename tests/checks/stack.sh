@@ -1,8 +1,8 @@
 #!/bin/sh
 # The worst case of the stack, from the compiler's own numbers: no recursion, no VLA, a bound for each
 # public function on Cortex-M0+ and M3, with all accelerators and without any. How: stack.mjs.
-# What functions of zs_sink, of a program's own fragment, background and resolve stages and of a panel's bus and hooks take
-# comes on top, as do interrupts.
+# What functions of zs_sink, of a program's own fragment, background and resolve stages and of a panel's bus and hooks
+# take comes on top, as do interrupts.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"

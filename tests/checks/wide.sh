@@ -1,6 +1,6 @@
 #!/bin/sh
-# What wide.h has in assembler, on emulated cores: a Cortex-M0, an M3, and an M4, which has instructions of its own. And that
-# no library is called for it.
+# What wide.h has in assembler, on emulated cores: a Cortex-M0, an M3, and an M4, which has instructions of its own. And
+# that no library is called for it.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"

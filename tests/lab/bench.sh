@@ -9,8 +9,8 @@
 #
 # Usage: tests/lab/bench.sh BUILD          the checks, and what frames take
 #        tests/lab/bench.sh BUILD all      besides: each frame's error, cycles on an emulated RP2040, instructions on
-#                                             this machine (callgrind), what others take, what each accelerator is worth and
-#                                             its flash; CSV in BUILD/bench; needs BUILD/zsim, valgrind, npm
+#                                             this machine (callgrind), what others take, what each accelerator is worth
+#                                             and its flash; CSV in BUILD/bench; needs BUILD/zsim, valgrind, npm
 #        tests/lab/bench.sh BUILD record   the one-pass frames as lines for tests/records/bench.txt
 #
 # SPDX-License-Identifier: MIT

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Complexity and length of functions, by pmccabe (McCabe's number, without counting && and ||: its second column; lines of
-# the function), and what the code says twice, by sim_c (runs of TOKENS or more that are the same but for names).
+# Complexity and length of functions, by pmccabe (McCabe's number, without counting && and ||: its second column; lines
+# of the function), and what the code says twice, by sim_c (runs of TOKENS or more that are the same but for names).
 # tests/records/COMPLEXITY.txt says why of what stands out.
 #
 # SPDX-License-Identifier: MIT

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What a pixel takes by each shader and hook of effect/ and overlay/, in instructions on QEMU's Cortex-M3 and, for
-# Armv6-M code, on the same board (not cycles). Pictures are the same there and on this machine, and no row may take over
-# 2 % more than tests/records/effects.txt has on record.
+# Armv6-M code, on the same board (not cycles). Pictures are the same there and on this machine, and no row may take
+# over 2 % more than tests/records/effects.txt has on record.
 #
 # Usage: tests/lab/effects.sh BUILD          the check and a table
 #        tests/lab/effects.sh BUILD record   the record on standard output, with cycles on the emulated RP2040

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Methods of hidden-surface removal side by side on QEMU's Cortex-M0 and M3 and on this machine: every machine's frames and
-# counts are the same, and no frame takes over 2 % more instructions than tests/records/methods.txt has on record.
+# Methods of hidden-surface removal side by side on QEMU's Cortex-M0 and M3 and on this machine: every machine's frames
+# and counts are the same, and no frame takes over 2 % more instructions than tests/records/methods.txt has on record.
 #
 # Usage: tests/lab/methods.sh BUILD          the checks and a table
 #        tests/lab/methods.sh BUILD record   the record on standard output, with cycles on the emulated RP2040

@@ -1,17 +1,17 @@
 #!/bin/sh
 # How instructions grow with triangles, pixels, strips, passes, depth complexity and less RAM (firmware/app/scale.c), on
-# QEMU's Cortex-M3: no series may grow worse than linearly. The same frames on this machine must be the same, bit for bit.
-# Instructions are not cycles.
+# QEMU's Cortex-M3: no series may grow worse than linearly. The same frames on this machine must be the same, bit for
+# bit. Instructions are not cycles.
 #
 # A series' exponent is that of the power of x that fits its points best (least squares of logarithms). It may not be
 # above 1.02, and between any two points of which one has twice the other's x, or more, not above 1.05. Points that take
-# more passes than the series' first lie on another line, because the pools do not hold the scene and it is walked again:
-# a pass of them may not take more than linear growth allows the whole.
+# more passes than the series' first lie on another line, because the pools do not hold the scene and it is walked
+# again: a pass of them may not take more than linear growth allows the whole.
 #
 # Layers: the first is drawn without a clear and without a test, at half of what any other takes, so that a power
-# through it says nothing about the others. The series "layers tested" draws all alike and is held to the rule above. The same
-# frames as they are drawn may nowhere cost more than those; and what the layers beyond the first take is held to the
-# rule, against their number.
+# through it says nothing about the others. The series "layers tested" draws all alike and is held to the rule above.
+# The same frames as they are drawn may nowhere cost more than those; and what the layers beyond the first take is held
+# to the rule, against their number.
 #
 # RAM: no point may cost over 8 % more than one with less RAM. All points are printed, with how many times they take of
 # what the last one does.

@@ -72,7 +72,8 @@ compile() {
     ) 9>"$kept.lock"
 }
 
-# A firmware of the least kind: FILE SHADER DEPTH [EXTRA STATEMENTS]; LIST, ending with a comma: its accelerators, if any
+# A firmware of the least kind: FILE SHADER DEPTH [EXTRA STATEMENTS]; LIST, ending with a comma: its accelerators, if
+# any
 minimal() {
     list=0 declared=
     [ -z "${LIST:-}" ] || list=fast declared="static const struct zs_fast *const fast[] = { $LIST ZS_FAST_END };"

@@ -33,7 +33,8 @@ static void must(int ok, const char *what)
     }
 }
 
-/* A triangle's corners as bins have them: the top one first, of two the left one, then clockwise. Return 0: it has no area. */
+/* A triangle's corners as bins have them: the top one first, of two the left one, then clockwise. Return 0: it has no
+ * area. */
 static int order_corners(const struct easel_tri *t, uint32_t order[3])
 {
     const int64_t area = ((int64_t)t->x[1] - t->x[0]) * ((int64_t)t->y[2] - t->y[0]) -

@@ -29,8 +29,8 @@ int watch_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *me
 
 /* Room for everything in one pass, one strip buffer, one strip, all accelerators. */
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth);
-/* Another way to draw the same frame: strips, buffers, accelerators, and mostly small pools, of at least so many triangles
- * and vertices. */
+/* Another way to draw the same frame: strips, buffers, accelerators, and mostly small pools, of at least so many
+ * triangles and vertices. */
 void picture_any_way(struct prng *p, struct zs_config *c, int32_t tris, int32_t verts);
 /* Draw a frame by zs_render. To be freed whatever err is. */
 struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,

@@ -1,4 +1,5 @@
-/* Lines of test_counts.c: what frames 0 and 21 of each scene take at 96x72. ZS_WORK=1 build/test/test_counts prints them.
+/* Lines of test_counts.c: what frames 0 and 21 of each scene take at 96x72. ZS_WORK=1 build/test/test_counts prints
+ * them.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,9 +1,9 @@
 #!/bin/sh
-# Promise 7: without firmware/zstrip/fast nothing changes but time. Programs that are compiled without it draw what those draw
-# that name accelerators: golden checksums by two compilers at two levels and on big-endian PowerPC, and every bench scene on
-# Cortex-M3 and in Armv6-M code in all the bench's configurations. tests/property/scene_sums.sh has the demo scenes.
-# That it is so: no name of fast/ is in these programs, all are in the full one, and they take more instructions than those on
-# record.
+# Promise 7: without firmware/zstrip/fast nothing changes but time. Programs that are compiled without it draw what
+# those draw that name accelerators: golden checksums by two compilers at two levels and on big-endian PowerPC, and
+# every bench scene on Cortex-M3 and in Armv6-M code in all the bench's configurations. tests/property/scene_sums.sh has
+# the demo scenes. That it is so: no name of fast/ is in these programs, all are in the full one, and they take more
+# instructions than those on record.
 # Usage: tests/property/bare.sh BUILD          from the repository's top; needs BUILD/test (checksum-programs), BUILD/gen
 #        tests/property/bare.sh BUILD bench    the bench alone
 #
@@ -15,7 +15,7 @@ out=$build/bare
 . tests/lib/ok.sh
 mkdir -p "$out"
 
-# ---- Bench scenes: "scene checksum" of every line; the full build's are of this machine ---------------------------------
+# ---- Bench scenes: "scene checksum" of every line; the full build's are of this machine ------------------------------
 
 firmware() { # MAKE-VARIABLES... GOAL
     make -s -j"$(nproc)" -f firmware/boards/firmware.mk B="$build" NAME=bench APP_SRC=firmware/app/bench.c "$@"
@@ -46,8 +46,8 @@ firmware BOARD=host all >"$out/full.log" 2>&1 && "$build/fw/host/bench.elf" >"$o
     bad bare_bench "the full build's bench fails: $out/full.csv, $(tail -1 "$out/full.log")"
 frames full >"$out/full.frames"
 
-# Names that fast/ defines and no other file has as a word; the full program has all accelerators and these loops of theirs,
-# or they prove nothing
+# Names that fast/ defines and no other file has as a word; the full program has all accelerators and these loops of
+# theirs, or they prove nothing
 for o in "$build"/fw/host/firmware/zstrip/fast/*.o; do names nm "$o"; done | sort -u >"$out/of_fast.names"
 find firmware/zstrip firmware/app firmware/scenes hal tests/property/checksum.c tests/lib/shapes.h "$build/gen" \
     -name '*.[ch]' | grep -v '^firmware/zstrip/fast/' | xargs cat |
@@ -97,7 +97,7 @@ for name in m3 armv6m; do
 done
 [ "${2:-}" != bench ] || exit $failed
 
-# ---- Golden checksums -------------------------------------------------------------------------------------------------
+# ---- Golden checksums ------------------------------------------------------------------------------------------------
 
 for program in gcc-O0 gcc-O3 clang-O0 clang-O3 powerpc-Os; do
     name=bare_checksum_$(echo $program | tr - _)

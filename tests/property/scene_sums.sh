@@ -6,8 +6,8 @@
 #        tests/property/scene_sums.sh BUILD record    the same frames as lines for records/scenes.txt, from gcc -O0
 #        tests/property/scene_sums.sh BUILD column C  one column's lines into BUILD/scene_sums/C.txt
 # SUMS_PIECES=1: the showpieces in place of the scenes, on fewer machines; their record is tests/records/pieces.txt
-# SUMS_PICO=1: the Cortex-M0+ is that of the emulated Pico, with its divider, and takes minutes. Without, as in make test,
-# its code runs on QEMU's M3; tests/boards/pico.sh looks at the emulated Pico's own pictures, of the demo scenes.
+# SUMS_PICO=1: the Cortex-M0+ is that of the emulated Pico, with its divider, and takes minutes. Without, as in make
+# test, its code runs on QEMU's M3; tests/boards/pico.sh looks at the emulated Pico's own pictures, of the demo scenes.
 #
 # SPDX-License-Identifier: MIT
 set -u

@@ -334,7 +334,8 @@ static void frames_refused_by_name(void **state)
     REFUSED((g.instance.pose.scale = 0, mesh.scale = (1u << 31) + 1u, mesh.radius = 0, mesh.n_verts = mesh.n_tris = 0),
             ZS_ERR_RANGE); /* 1, not 0 */
     REFUSED((g.instance.pose.scale = UINT32_MAX, mesh.scale = UINT32_MAX), ZS_ERR_RANGE);
-    /* the largest scale, 2^15 units a step, and one more; without vertices and extent, so that nothing else refuses it */
+    /* the largest scale, 2^15 units a step, and one more; without vertices and extent, so that nothing else refuses
+     * it */
     REFUSED((mesh.scale = 1u << 31, g.instance.pose.scale = 65536, mesh.radius = 0, mesh.n_verts = mesh.n_tris = 0),
             ZS_OK);
     REFUSED((mesh.scale = (1u << 31) + 1u, g.instance.pose.scale = 65536, mesh.radius = 0,

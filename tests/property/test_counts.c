@@ -188,8 +188,8 @@ static void eight_layers(void **state)
         }
 }
 
-/* What a frame of every scene takes, in one pass and where pools are small: no more than this, which is what it took when
- * it was written down. An accelerator that saves less draws the same picture: here it shows. Less is welcome. */
+/* What a frame of every scene takes, in one pass and where pools are small: no more than this, which is what it took
+ * when it was written down. An accelerator that saves less draws the same picture: here it shows. Less is welcome. */
 struct work {
     const char *scene;
     uint32_t verts[2], setups[2], tested[2], met[2]; /* met: tested where something had been drawn before */

@@ -287,8 +287,8 @@ static void each_transfer_is_done_once(void **state)
     chain_close(&c);
 }
 
-/* Power comes on, and all memory holds junk: renderer, arena, panel, scratch, what zs_damage_compare and zs_damage_track are given, and
- * the controller's RAM. */
+/* Power comes on, and all memory holds junk: renderer, arena, panel, scratch, what zs_damage_compare and
+ * zs_damage_track are given, and the controller's RAM. */
 static void power_on_with_junk_in_memory(void **state)
 {
     static const uint8_t patterns[] = { 0x00, 0xff, 0xa5, 0x5a, 0x80, 0x01 };

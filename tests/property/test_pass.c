@@ -118,8 +118,8 @@ static int viewports_case(uint64_t seed)
 
 /* ---- What is kept ------------------------------------------------------------------------------ */
 
-/* A second pass over the colours of the first: where it draws nothing, those stay. Its depth begins anew, so that it is in
- * front. */
+/* A second pass over the colours of the first: where it draws nothing, those stay. Its depth begins anew, so that it is
+ * in front. */
 static int over_case(uint64_t seed)
 {
     struct prng p = { seed };

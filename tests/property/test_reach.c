@@ -98,8 +98,8 @@ static void orthographic_heights(void **state)
     assert_int_equal(zs_frame_begin(&r, &empty, &camera), ZS_ERR_CAMERA);
 }
 
-/* The scale of the least orthographic heights, of which a shift takes bits: its ratio is in (1/2, 1] all the same, and it is
- * sub-pixels by height to 2^-29. */
+/* The scale of the least orthographic heights, of which a shift takes bits: its ratio is in (1/2, 1] all the same, and
+ * it is sub-pixels by height to 2^-29. */
 static void ratios_of_least_heights(void **state)
 {
     const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
@@ -122,7 +122,8 @@ static void ratios_of_least_heights(void **state)
         }
 }
 
-/* A mesh beyond its sphere, outside one side of the guard band: two corners by so little that they snap onto its edge. */
+/* A mesh beyond its sphere, outside one side of the guard band: two corners by so little that they snap onto its
+ * edge. */
 static void beyond_the_guard_by_less_than_a_step(void **state)
 {
     static const int16_t corner[3][3] = { { 32752, -16, 0 },

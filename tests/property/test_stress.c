@@ -866,8 +866,8 @@ static int is_folded(const struct zs_vertex *v, int n)
     return n > 3;
 }
 
-/* Thin triangles of an orthographic view, cut by far and snapped coarsely so that their sides cross: whether they face the
- * eye is what it was before they were cut. */
+/* Thin triangles of an orthographic view, cut by far and snapped coarsely so that their sides cross: whether they face
+ * the eye is what it was before they were cut. */
 static uint64_t folded;
 
 static int folded_case(uint64_t seed)

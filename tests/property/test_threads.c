@@ -94,7 +94,8 @@ static void check_list(const struct demo_frame *f, const struct zs_config *c, in
     }
     if (parts)
         *parts = time.parts;
-    /* hidden triangles are not known across sets and parts; what is dropped depends on the strips that are to be drawn */
+    /* hidden triangles are not known across sets and parts; what is dropped depends on the strips that are to be
+     * drawn */
     if (a->passes == 1 && !time.parts && !drops) {
         hidden += a->tris_hidden;
         assert_int_equal(b->tris_setup, a->tris_setup);

@@ -223,7 +223,8 @@ for more in '--tris 3000' '--scene-tris 9000' '--verts 2400' '--coverage 90' '--
     budget $base $more --csv
     [ "$(csv draw_M3)" -gt "$least" ] || wrong "$more: $(csv draw_M3) instructions, $least without"
 done
-# Of shaders, the same with light or colours besides: smooth and textured are drawn in ways of their own, as dear as each other
+# Of shaders, the same with light or colours besides: smooth and textured are drawn in ways of their own, as dear as
+# each other
 for more in 'flat smooth' 'unlit textured'; do
     # shellcheck disable=SC2086
     budget $base --shade "${more% *}" --csv

@@ -1,6 +1,6 @@
 #!/bin/sh
-# `zsim gallery`: every method has a card, its figures are those of its nature, the page needs no other file. `zsim render`
-# by every method and style. What cannot be done is refused by name.
+# `zsim gallery`: every method has a card, its figures are those of its nature, the page needs no other file. `zsim
+# render` by every method and style. What cannot be done is refused by name.
 # Usage: tests/tools/gallery.sh ZSIM WORKDIR     as tests/tools/cli.sh
 set -u
 . tests/tools/zsim.sh

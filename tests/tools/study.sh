@@ -1,6 +1,6 @@
 #!/bin/sh
-# `zsim study`: small sweeps. Rows, shards, resuming, the page, what is refused; what is measured against the formulas; and,
-# with frames counted on the emulated M3, that no setting beats the default.
+# `zsim study`: small sweeps. Rows, shards, resuming, the page, what is refused; what is measured against the formulas;
+# and, with frames counted on the emulated M3, that no setting beats the default.
 # Usage: tests/tools/study.sh ZSIM WORKDIR BUILD     as tests/tools/cli.sh; BUILD has what firmware is made of
 set -u
 build=$(cd "$3" && pwd)
@@ -71,7 +71,7 @@ begin study_page_says_what_was_not_run
 study 0 stability --quick --out one
 grep -q 'Not run yet: zsim study depth' one/index.html || wrong "it does not"
 
-# ---- Shards, resuming -------------------------------------------------------------------------------------------------
+# ---- Shards, resuming ------------------------------------------------------------------------------------------------
 begin study_shards_merge_to_one_run
 for i in 1 2 3; do
     study 0 depth --quick --out shards --shard $i/3
@@ -135,7 +135,7 @@ begin study_redo
 study 0 stability --quick --out other --redo
 same_bytes other/stability.csv all/stability.csv
 
-# ---- What is refused ----------------------------------------------------------------------------------------------------
+# ---- What is refused -------------------------------------------------------------------------------------------------
 refuses no_name 2 'time, depth, memory, stability' --quick
 refuses unknown_name 2 "'speed'" speed
 refuses two_names 2 "'time'" depth time
@@ -171,7 +171,7 @@ grep -q 'gnuplot is not installed (package gnuplot-nox)' stderr || wrong "$(said
 same_bytes plain/stability.csv all/stability.csv
 grep -q 'id=stability' plain/index.html || wrong "no page"
 
-# ---- What was measured ---------------------------------------------------------------------------------------------------
+# ---- What was measured -----------------------------------------------------------------------------------------------
 begin study_separation_is_the_formula
 # recip and linear by formulas of this script's own; all of them within 5 %
 finds_nothing '
@@ -228,7 +228,7 @@ for flag in -DZS_RECIP_STEPS=0 -DZS_TEXEL_COARSE_LOG2=31 -DZS_SPAN_BOUND_LOG2=3;
 done
 variant || wrong "the default does not build"
 
-# ---- Counted on the M3 ----------------------------------------------------------------------------------------------------
+# ---- Counted on the M3 -----------------------------------------------------------------------------------------------
 begin study_time_counted
 cores=m3
 ! command -v valgrind >/dev/null || cores='m3 host'

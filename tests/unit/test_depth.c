@@ -277,8 +277,8 @@ static void octave_boundaries_on_samples(void **state)
     print_message("octave boundaries on samples: off by at most %.5f buckets\n", worst_small);
 }
 
-/* Less than a pixel wide, from one octave to the next, with a step of w of 2^31 - 1 a pixel, which is rounded to half as many
- * bits although nothing asks for it (UBSan). */
+/* Less than a pixel wide, from one octave to the next, with a step of w of 2^31 - 1 a pixel, which is rounded to half
+ * as many bits although nothing asks for it (UBSan). */
 static void the_steepest_step_of_a_pixel(void **state)
 {
     struct easel s = easel_default(64, 48);

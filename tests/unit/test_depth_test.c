@@ -1,5 +1,5 @@
-/* The depth test (core/depth_test.c): which pixels win, what is written, and the runs that shaders are handed; what takes its
- * place where there is no state (fast/less.c, fast/fast_solid.c); a state's bias.
+/* The depth test (core/depth_test.c): which pixels win, what is written, and the runs that shaders are handed; what
+ * takes its place where there is no state (fast/less.c, fast/fast_solid.c); a state's bias.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -222,8 +222,8 @@ static int exact_case(uint64_t seed)
 
 static struct picture lone_picture[TRIS];
 
-/* Perspective, with triangles that reach beyond near: where the picture differs from that of zs_depth_recip, the keys of
- * both triangles differ by one bucket at most. */
+/* Perspective, with triangles that reach beyond near: where the picture differs from that of zs_depth_recip, the keys
+ * of both triangles differ by one bucket at most. */
 static int buffer_case(uint64_t seed)
 {
     struct prng p = { seed };

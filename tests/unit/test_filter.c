@@ -609,8 +609,8 @@ static int any_way_case(uint64_t seed)
 
 static unsigned worlds_drawn, worlds_hiz;
 
-/* Random worlds, their textured materials with these shaders: any way to draw them, and by the hierarchical depth buffer
- * where no texel is cut out. Each frame is what it was. */
+/* Random worlds, their textured materials with these shaders: any way to draw them, and by the hierarchical depth
+ * buffer where no texel is cut out. Each frame is what it was. */
 static int world_case(uint64_t seed)
 {
     struct prng p = { seed };

@@ -1,9 +1,9 @@
 /* Hidden lines: faces by zs_shade_none pushed back, then edges, against the visible parts of the edges in doubles.
  *
- * Bar: the pixels that are drawn and the points of edges that are visible are nowhere more than a pixel apart. A visible
- * point has a drawn pixel, where it is or among the eight around that one: none is missing. A drawn pixel has a visible
- * point in the same reach: none is drawn that is hidden by more than a pixel. Lines have colours of their own, so that
- * pixels are counted, too, whose own line is hidden where another one is visible.
+ * Bar: the pixels that are drawn and the points of edges that are visible are nowhere more than a pixel apart. A
+ * visible point has a drawn pixel, where it is or among the eight around that one: none is missing. A drawn pixel has a
+ * visible point in the same reach: none is drawn that is hidden by more than a pixel. Lines have colours of their own,
+ * so that pixels are counted, too, whose own line is hidden where another one is visible.
  *
  * ZS_VIEWS=n in the environment draws n views of four models instead of 40.
  *

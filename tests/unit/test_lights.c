@@ -1,5 +1,5 @@
-/* Lights (effect/lights.c, lit.c, lit_phong.c, lit_texture.c) against the formula of zs_lights.h in double precision: at
- * points, and pixel by pixel on frames; the same frame in any way of drawing it; what is refused.
+/* Lights (effect/lights.c, lit.c, lit_phong.c, lit_texture.c) against the formula of zs_lights.h in double precision:
+ * at points, and pixel by pixel on frames; the same frame in any way of drawing it; what is refused.
  *
  * SPDX-License-Identifier: MIT
  */

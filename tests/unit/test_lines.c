@@ -72,7 +72,8 @@ static int inside(const struct exact *e, int64_t half, int64_t m, int64_t n)
 {
     const int64_t dm = e->m[1] - e->m[0], at = (e->n[1] - e->n[0]) * (m - e->m[0]); /* < 2^47 */
     const int64_t above = (n - e->n[0] + half) * dm - at, below = (n - e->n[0] - half) * dm - at;
-    /* on a left side is inside, on a right one outside: of a line that runs down to the right, the upper one is right */
+    /* on a left side is inside, on a right one outside: of a line that runs down to the right, the upper one is
+     * right */
     const int upper_is_right = !e->down && e->n[1] > e->n[0];
     return e->m[0] <= m && m < e->m[1] && (upper_is_right ? above > 0 && below <= 0 : above >= 0 && below < 0);
 }

@@ -403,8 +403,8 @@ int __wrap_sigaction(int number, const struct sigaction *action, struct sigactio
     return __real_sigaction(number, &ours, before);
 }
 
-/* A signal to the process, taken before this goes on, by whichever thread; or ignored. A machine that is busy may let this
- * thread run on for many messages before another takes it. */
+/* A signal to the process, taken before this goes on, by whichever thread; or ignored. A machine that is busy may let
+ * this thread run on for many messages before another takes it. */
 static void interrupt(int number)
 {
     struct sigaction now;

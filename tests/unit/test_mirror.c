@@ -1,5 +1,5 @@
-/* Mirrors and windows: against rays in double precision that are reflected at the mirror, against a scene that is mirrored
- * by hand, and against themselves with other strips, pools and accelerators.
+/* Mirrors and windows: against rays in double precision that are reflected at the mirror, against a scene that is
+ * mirrored by hand, and against themselves with other strips, pools and accelerators.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,5 +1,5 @@
-/* zs_damage_compare and zs_invalidate: only what has changed is sent, and the glass is right all the same, whatever failed
- * before.
+/* zs_damage_compare and zs_invalidate: only what has changed is sent, and the glass is right all the same, whatever
+ * failed before.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -228,8 +228,8 @@ static void failed_sends_are_sent_again(void **state)
             }
 }
 
-/* Two renderers take turns at the strips of one panel: A, B, A. What A draws the second time is what it drew the first time, but
- * the panel shows B's. */
+/* Two renderers take turns at the strips of one panel: A, B, A. What A draws the second time is what it drew the first
+ * time, but the panel shows B's. */
 static void renderers_that_take_turns_share_the_panels_sums(void **state)
 {
     struct show a, b;

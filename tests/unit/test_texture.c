@@ -1237,7 +1237,8 @@ static void far_end_of_a_plane(void **state)
 }
 
 /* Two walls of 1024 texels that cross, of few texels a pixel: where a run begins depends on what was drawn before, on
- * accelerators and on strips; which texel a pixel has must not. The numbers are those of 12,000 such pairs in which it did. */
+ * accelerators and on strips; which texel a pixel has must not. The numbers are those of 12,000 such pairs in which it
+ * did. */
 static void runs_do_not_tell_where_they_begin(void **state)
 {
     static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 2, 1, 3 } };

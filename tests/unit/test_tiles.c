@@ -200,8 +200,8 @@ static void instances_behind_a_wall(void **state)
     }
 }
 
-/* Small instances in the very bucket of a wall that comes after them: they stay, also where the wall is known already, in
- * walks after the first. */
+/* Small instances in the very bucket of a wall that comes after them: they stay, also where the wall is known already,
+ * in walks after the first. */
 static void equal_keys_hide_nothing(void **state)
 {
     uint32_t passes = 0;
@@ -256,8 +256,8 @@ static void rectangle(uint32_t n, int32_t x0, int32_t x1, int32_t y0, int32_t y1
     world.mesh[n].center[2] = (int16_t)-z;
 }
 
-/* Behind a wall that covers one half of the frame, left, right, upper or lower, and in the other half before another one, or in
- * its very bucket: what is half hidden is drawn. */
+/* Behind a wall that covers one half of the frame, left, right, upper or lower, and in the other half before another
+ * one, or in its very bucket: what is half hidden is drawn. */
 static void half_hidden_is_drawn(void **state)
 {
     uint32_t hidden = 0, passes = 0;

@@ -1,5 +1,6 @@
-/* zs_damage_track: what is not drawn is on the glass already. A glass that gets the changed columns alone shows, after every frame
- * that was not broken off, what a full redraw shows; every strip that is given out as changed is that of a full redraw.
+/* zs_damage_track: what is not drawn is on the glass already. A glass that gets the changed columns alone shows, after
+ * every frame that was not broken off, what a full redraw shows; every strip that is given out as changed is that of a
+ * full redraw.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -181,8 +182,8 @@ struct glass {
     uint32_t x, end; /* columns that arrived, since they were set to the frame's end and 0 */
 };
 
-/* A strip that is given out as changed: is it what a full redraw has there, keys and all? By columns: where it is drawn, which
- * is as far as a range can be widened to ZS_DAMAGE_GRAIN. */
+/* A strip that is given out as changed: is it what a full redraw has there, keys and all? By columns: where it is
+ * drawn, which is as far as a range can be widened to ZS_DAMAGE_GRAIN. */
 static void judge(struct glass *g, const struct zs_strip *s)
 {
     const uint32_t x = g->columns ? s->dirty_x & (0u - ZS_DAMAGE_GRAIN) : 0u;
@@ -557,8 +558,8 @@ static void a_shared_mesh_hides_no_material(void **state)
     show_close(&s);
 }
 
-/* A sphere alone, of strips of one row, wherever it can be: across near and far, at the frame's edge, far beside the axis;
- * and so far away that camera units become coarse for what stands near. */
+/* A sphere alone, of strips of one row, wherever it can be: across near and far, at the frame's edge, far beside the
+ * axis; and so far away that camera units become coarse for what stands near. */
 static int one_sphere(uint64_t seed)
 {
     static struct world w;
@@ -664,8 +665,8 @@ static int one_dot(uint64_t seed)
 
 static uint32_t binned[2][2]; /* triangles, of whole frames and of those with one mover, by strips and by columns */
 
-/* Nothing but the strips of one small sphere, before and after; their number is that of its rows. By columns too: no others
- * than its own. */
+/* Nothing but the strips of one small sphere, before and after; their number is that of its rows. By columns too: no
+ * others than its own. */
 static int one_mover(uint64_t seed)
 {
     static struct world w;
@@ -791,8 +792,8 @@ static void a_still_scene_draws_nothing(void **state)
     show_close(&s);
 }
 
-/* Three spheres below each other; the highest and the lowest move, and the middle one's strips are wanted in the middle of
- * that frame: they are drawn with what stands there. */
+/* Three spheres below each other; the highest and the lowest move, and the middle one's strips are wanted in the middle
+ * of that frame: they are drawn with what stands there. */
 static void invalidated_in_a_frame(void **state)
 {
     static struct world w;

@@ -260,7 +260,8 @@ static int light_case(uint64_t seed)
     return 1;
 }
 
-/* The focal length as a power of two and a factor of 1/2 to 1: the least bits, also where it is a power of two itself. */
+/* The focal length as a power of two and a factor of 1/2 to 1: the least bits, also where it is a power of two
+ * itself. */
 static void focal_lengths_keep_their_bits(void **state)
 {
     static const struct zs_config config = { .width = 16, .height = 16, .strip_h = 16, .max_tris = 4, .max_verts = 4,

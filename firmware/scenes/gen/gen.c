@@ -410,8 +410,8 @@ static uint64_t height(const struct gen_mesh *m, uint32_t t, const int64_t norma
     return gen_sqrt((uint64_t)(area2 / longest) * 4 * 256);
 }
 
-/* The cone around the normals of triangles [first, first + n): axis and cutoff, 127 is 1; 127: there is none. Return the
- * least height. */
+/* The cone around the normals of triangles [first, first + n): axis and cutoff, 127 is 1; 127: there is none. Return
+ * the least height. */
 static uint64_t cone(const struct gen_mesh *m, uint32_t first, uint32_t n, int64_t axis[3], int64_t *cutoff)
 {
     int64_t sum[3] = { 0, 0, 0 }, normal[3];

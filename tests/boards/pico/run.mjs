@@ -7,10 +7,11 @@
 // "text", problems after "problem". FILE gets what went over the wire: a little-endian uint16 for each byte, bits 0-7
 // the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS went high.
 // --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
-// over, or (--head, two cores) from the panel's command before its pixels, no word ends before the bus gives up. --doze: NS pass right before each WFI.
-// --profile: the N functions that draw longest, "function NAME CYCLES" a line: cycles a frame, callees not counted.
-// --second: a mode of second.mjs. --stop: core 1 stands still in what it draws when core 0 begins to send this strip of
-// this frame, or draws next. --fault: it has a hard fault there. --refuse: this frame's scene is one that no renderer takes.
+// over, or (--head, two cores) from the panel's command before its pixels, no word ends before the bus gives up.
+// --doze: NS pass right before each WFI. --profile: the N functions that draw longest, "function NAME CYCLES" a line:
+// cycles a frame, callees not counted. --second: a mode of second.mjs. --stop: core 1 stands still in what it draws
+// when core 0 begins to send this strip of this frame, or draws next. --fault: it has a hard fault there. --refuse:
+// this frame's scene is one that no renderer takes.
 //
 // --xip: reading the flash takes time (xip.mjs).
 //
@@ -115,7 +116,8 @@ function refuse() {
     if (kept)
         pico.chip.writeUint32(scene, 0);
 }
-// The strip that was drawn last is over. The first frame is not like others: nothing is in caches, damage is everywhere.
+// The strip that was drawn last is over. The first frame is not like others: nothing is in caches, damage is
+// everywhere.
 function strip_ends() {
     if (drawn > 0 && strips > 0 && draw - strip_from > worst) {
         worst = draw - strip_from;

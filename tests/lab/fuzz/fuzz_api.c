@@ -196,8 +196,8 @@ static uint32_t bits_of(const struct zs_fast *const *list)
     return bits;
 }
 
-/* Any accelerators, all or none. Where spheres and cones need not hold what they say, without those that ask them: what is
- * missing then depends on strips and pools. Static storage: the list of one way is gone in the next but seven. */
+/* Any accelerators, all or none. Where spheres and cones need not hold what they say, without those that ask them: what
+ * is missing then depends on strips and pools. Static storage: the list of one way is gone in the next but seven. */
 static const struct zs_fast *const *lists(struct prng *p, int trusted)
 {
     uint32_t bits = one_in(p, 2) ? prng_next(p) : ~0u;
@@ -281,8 +281,8 @@ static void print_counts(const struct zs_stats *s)
             s->tris_clipped);
 }
 
-/* Pixels are counted alike but for those of hidden triangles, how many depends on the strips; plain, without accelerators,
- * draws these too. */
+/* Pixels are counted alike but for those of hidden triangles, how many depends on the strips; plain, without
+ * accelerators, draws these too. */
 static void compare(const struct world *w, const struct picture *plain, const struct zs_config *c)
 {
     struct picture p = picture_draw(c, &w->scene, &w->camera);

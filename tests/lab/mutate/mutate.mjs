@@ -1,15 +1,15 @@
 // Mutants of firmware/zstrip: one operator, constant or condition of the renderer is changed, it is built for the host,
-// and the cases of `make test`'s unit tests run until one fails. A mutant that none notices shows a test that is missing,
-// or code that does not matter.
+// and the cases of `make test`'s unit tests run until one fails. A mutant that none notices shows a test that is
+// missing, or code that does not matter.
 // Usage: node tests/lab/mutate/mutate.mjs BUILD COUNT SEED [FILE...]   only mutants of these files
 //
 // The sample: each place that could be changed has a rank drawn from SEED, the file's name and the line's text, so that
-// most of a sample stays the same when other lines change. What the mutant changes is compiled like in `make test` (-O1,
-// preconditions checked), under UBSan that traps; the rest without sanitizers. All test programs are one (runner.c): a
-// link a mutant, a process a case, those first that catch most a second. Failing is: another exit status, a signal, or
-// five times as long.
-// Passed over and counted apart: mutants that do not compile, and those whose object code is that of the program itself,
-// as compiled for the tests or, where no test notices, as shipped (-O2, preconditions not checked).
+// most of a sample stays the same when other lines change. What the mutant changes is compiled like in `make test`
+// (-O1, preconditions checked), under UBSan that traps; the rest without sanitizers. All test programs are one
+// (runner.c): a link a mutant, a process a case, those first that catch most a second. Failing is: another exit status,
+// a signal, or five times as long.
+// Passed over and counted apart: mutants that do not compile, and those whose object code is that of the program
+// itself, as compiled for the tests or, where no test notices, as shipped (-O2, preconditions not checked).
 //
 // BUILD/mutate/results.txt is added to while it runs: call it again, and it goes on. A line counts for as long as its
 // file and, of a mutant that lived, the tests have the same text. At the end BUILD/mutate/report.txt is written, with
@@ -242,8 +242,8 @@ function prepare() {
     cover();
 }
 
-// CASE: the lines FILE:LINE of the renderer that it reaches; and all that some case reaches, or none. Found once: what is of
-// a file or a test that has changed since is not relied on (remove BUILD/mutate/cover.json to find it anew).
+// CASE: the lines FILE:LINE of the renderer that it reaches; and all that some case reaches, or none. Found once: what
+// is of a file or a test that has changed since is not relied on (remove BUILD/mutate/cover.json to find it anew).
 const reaches = new Map(), counted = new Set();
 function cover() {
     const at = path.join(process.cwd(), dir, 'cover'), known = path.join(dir, 'cover.json');

@@ -56,8 +56,8 @@ void crossings(void)
                     any_u32(0, 3));
 }
 
-/* PROVE polygons -eva-min-loop-unroll=10 -eva-slevel-function=clip_plane:3000: polygons of 3 and 4 corners, any, at the near plane and one of the guard band: what is read was
- * written, and nothing beyond nine corners is */
+/* PROVE polygons -eva-min-loop-unroll=10 -eva-slevel-function=clip_plane:3000: polygons of 3 and 4 corners, any, at the
+ * near plane and one of the guard band: what is read was written, and nothing beyond nine corners is */
 void polygons(void)
 {
     static const int corners[2] = { 3, 4 };

@@ -24,8 +24,8 @@ static void any_cluster(void)
     cluster.cutoff = (int8_t)any_i32(-128, 127);
 }
 
-/* PROVE turned: clusters of any bytes, every shift 0 .. 20 and 31, the eye's parts up to 2^16, every margin, both signs of cone: no product beyond
- * 32 or 64 bits */
+/* PROVE turned: clusters of any bytes, every shift 0 .. 20 and 31, the eye's parts up to 2^16, every margin, both signs
+ * of cone: no product beyond 32 or 64 bits */
 void turned(void)
 {
     for (int32_t shift = 0; shift <= EYE_SHIFT_MAX + 1; shift++) {
@@ -46,8 +46,8 @@ void turned(void)
     ensures \result == 0 || \result == 1; */
 static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh, const struct zs_cluster *c);
 
-/* PROVE spheres -eva-use-spec=zs_recip,turned_away: clusters of any bytes, up to six planes with normals up to 2^12 + 1 and constants up to
- * 3.9 * 2^28: no sum beyond 32 bits */
+/* PROVE spheres -eva-use-spec=zs_recip,turned_away: clusters of any bytes, up to six planes with normals up to 2^12 + 1
+ * and constants up to 3.9 * 2^28: no sum beyond 32 bits */
 void spheres(void)
 {
     any_cluster();
@@ -67,7 +67,8 @@ void spheres(void)
     (void)left_out(&renderer, 0);
 }
 
-/* PROVE in_steps: every scale by its leading zeros 16 .. 63, -20 .. 12 bits, lengths below 2^50 that come out below 2^30: shifts and what is cut */
+/* PROVE in_steps: every scale by its leading zeros 16 .. 63, -20 .. 12 bits, lengths below 2^50 that come out below
+ * 2^30: shifts and what is cut */
 void in_steps(void)
 {
     for (int32_t lz = 16; lz <= 63; lz++)

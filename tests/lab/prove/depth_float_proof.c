@@ -116,9 +116,9 @@ static void planes_of(int32_t nearest, int32_t o)
     ASSERT(job.w64_scale == (o == nearest ? 0 : nearest));
 }
 
-/* PROVE float_planes_of -eva-use-spec=zs_plane32,zs_plane64 -eva-min-loop-unroll=32: 8 .. 16 bits with exponents of 3 and
- * 4, 8, 12 and 16 with 5, the nearest vertex in every octave and the others in that and in every farther one, every key
- * of theirs, tiny or not: the planes' values are at most 2^40 */
+/* PROVE float_planes_of -eva-use-spec=zs_plane32,zs_plane64 -eva-min-loop-unroll=32: 8 .. 16 bits with exponents of 3
+ * and 4, 8, 12 and 16 with 5, the nearest vertex in every octave and the others in that and in every farther one, every
+ * key of theirs, tiny or not: the planes' values are at most 2^40 */
 void float_planes_of(void)
 {
     for (uint32_t bits = 8; bits <= 16; bits++)

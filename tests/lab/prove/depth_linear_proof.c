@@ -43,8 +43,8 @@ void linear_orthographic(void)
             }
 }
 
-/* PROVE linear_perspective: w of a pixel, 64 bits by octave and 0; scales of every triangle; every shift of the mapping that
- * its set-up gives, 8 .. 16 bits */
+/* PROVE linear_perspective: w of a pixel, 64 bits by octave and 0; scales of every triangle; every shift of the mapping
+ * that its set-up gives, 8 .. 16 bits */
 void linear_perspective(void)
 {
     view.perspective = 1;
@@ -60,8 +60,8 @@ void linear_perspective(void)
     (void)linear_key(&view, any_u32(256, 1u << 30));
 }
 
-/* PROVE linear_triangles -eva-use-spec=zs_plane64: corners of every distance, the nearest by octave: w at most 2^40, its scale one
- * that pixels take */
+/* PROVE linear_triangles -eva-use-spec=zs_plane64: corners of every distance, the nearest by octave: w at most 2^40,
+ * its scale one that pixels take */
 void linear_triangles(void)
 {
     static struct zs_renderer renderer;
@@ -88,8 +88,8 @@ static void a_piece(struct zs_job *j, const struct zs_row *row, int32_t i0, int3
     next_piece = i1;
 }
 
-/* PROVE linear_rows -eva-min-loop-unroll=24 -eva-use-spec=pixel_key: rows of 1 .. 20 pixels, any w and step: each pixel is a
- * piece, whose key has 16 bits */
+/* PROVE linear_rows -eva-min-loop-unroll=24 -eva-use-spec=pixel_key: rows of 1 .. 20 pixels, any w and step: each pixel
+ * is a piece, whose key has 16 bits */
 void linear_rows(void)
 {
     static struct zs_renderer renderer;

@@ -1,6 +1,6 @@
-/* What the proofs take as given, tried: every argument where that can be done, else every combination of the edges of the
- * ranges and as many drawn at random as COUNT says. Built with UBSan and with ZS_FACT and ZS_ASSERT trapping, so each call
- * tries the facts that stand in what it calls.
+/* What the proofs take as given, tried: every argument where that can be done, else every combination of the edges of
+ * the ranges and as many drawn at random as COUNT says. Built with UBSan and with ZS_FACT and ZS_ASSERT trapping, so
+ * each call tries the facts that stand in what it calls.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,5 +1,5 @@
-/* The rest of facts.c: turns, the sides and boxes of tiles.c, cones. What needs another file's static functions stands in
- * a file of its own.
+/* The rest of facts.c: turns, the sides and boxes of tiles.c, cones. What needs another file's static functions stands
+ * in a file of its own.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -176,8 +176,8 @@ static void boxes_all(uint64_t count)
 
 /* ---- clusters.c -------------------------------------------------------------------------------------- */
 
-/* What turned_away says yes to: the eye is behind every triangle that the header's promise allows, by more than the margin,
- * wherever in its sphere. */
+/* What turned_away says yes to: the eye is behind every triangle that the header's promise allows, by more than the
+ * margin, wherever in its sphere. */
 static void cones_drawn(uint64_t count)
 {
     int good = 1;

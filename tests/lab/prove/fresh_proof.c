@@ -129,8 +129,9 @@ static void drawn_part(struct zs_job *j, const struct zs_row *row, int32_t from,
     a_part(j, from, to, 0);
 }
 
-/* PROVE fresh_parts -eva-min-loop-unroll=80: rows of 6 columns, every range that was drawn, every first pixel of a piece and every
- * end behind it: each pixel is in one part, from left to right, tested where it was drawn on and else not, with its own key */
+/* PROVE fresh_parts -eva-min-loop-unroll=80: rows of 6 columns, every range that was drawn, every first pixel of a
+ * piece and every end behind it: each pixel is in one part, from left to right, tested where it was drawn on and else
+ * not, with its own key */
 void fresh_parts(void)
 {
     strip(6);
@@ -179,8 +180,8 @@ static void piece_of(int32_t i, int32_t n, int saturates)
     cells(LONG + i + n, ROWS * LONG, 0);
 }
 
-/* PROVE window_rows -eva-min-loop-unroll=80: a row of 5 columns of which a window is drawn, any; every range of it drawn,
- * every span: the same as a row of the window's own, if it lies in it; nothing beside the window */
+/* PROVE window_rows -eva-min-loop-unroll=80: a row of 5 columns of which a window is drawn, any; every range of it
+ * drawn, every span: the same as a row of the window's own, if it lies in it; nothing beside the window */
 void window_rows(void)
 {
     for (int32_t w0 = 0; w0 < WIDTH; w0++)
@@ -235,9 +236,9 @@ static void every_end(void)
                     }
 }
 
-/* PROVE window_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which a window is drawn, any, and of it any range
- * of one row, or nothing: what is not drawn of the window is cleared, by a colour or by a sky; beside it nothing that was drawn
- * changes */
+/* PROVE window_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which a window is drawn, any, and of it
+ * any range of one row, or nothing: what is not drawn of the window is cleared, by a colour or by a sky; beside it
+ * nothing that was drawn changes */
 void window_ends(void)
 {
     every_end();

@@ -101,7 +101,8 @@ void area_short(void)
     (void)zs_area_short(at, a, b, c, &wide);
 }
 
-/* PROVE row: low words |.| <= 2^14, their constant |.| <= 2^28 + 2^15, every point of 16 bits, shifts 0 .. 15 and 0 .. 14 */
+/* PROVE row: low words |.| <= 2^14, their constant |.| <= 2^28 + 2^15, every point of 16 bits, shifts 0 .. 15 and 0 ..
+ * 14 */
 void row(void)
 {
     int32_t r[10];

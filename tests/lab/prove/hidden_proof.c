@@ -31,7 +31,8 @@ void slopes(void)
     }
 }
 
-/* PROVE bound_keys: every depth, a margin added or not or taken off, 8 .. 16 bits: a key below the one that keys saturate at */
+/* PROVE bound_keys: every depth, a margin added or not or taken off, 8 .. 16 bits: a key below the one that keys
+ * saturate at */
 void bound_keys(void)
 {
     static const struct zs_depth depth = { 0 };

@@ -29,8 +29,8 @@ static void normal_under(int x, int y, int z)
     (void)zs_light_intensity(&shading, n);
 }
 
-/* PROVE intensity -eva-min-loop-unroll=3: every light no longer than sqrt 3, in cells of 1/4 (those that touch its ball);
- * every normal of 16 bits; every ambient and diffuse */
+/* PROVE intensity -eva-min-loop-unroll=3: every light no longer than sqrt 3, in cells of 1/4 (those that touch its
+ * ball); every normal of 16 bits; every ambient and diffuse */
 void intensity(void)
 {
     shading.light = &light;

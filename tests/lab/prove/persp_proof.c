@@ -48,7 +48,8 @@ void vertex_w(void)
         }
 }
 
-/* PROVE over_w: every sum of w's plane and of an attribute's, by octave of w: held, its reciprocal, the quotient below 2^31 */
+/* PROVE over_w: every sum of w's plane and of an attribute's, by octave of w: held, its reciprocal, the quotient below
+ * 2^31 */
 void over_w(void)
 {
     const uint32_t sum = any_u32(0, UINT32_MAX);
@@ -102,15 +103,15 @@ static void runs_of(int state)
             }
 }
 
-/* PROVE runs -eva-min-loop-unroll=12 -eva-slevel=1000: every piece of up to 6 pixels at nine places in a row of 40, any keys drawn and met, clamped or not: what is read and
- * written lies within the piece, and so do runs */
+/* PROVE runs -eva-min-loop-unroll=12 -eva-slevel=1000: every piece of up to 6 pixels at nine places in a row of 40, any
+ * keys drawn and met, clamped or not: what is read and written lies within the piece, and so do runs */
 void runs(void)
 {
     runs_of(-1);
 }
 
-/* PROVE tests -eva-min-loop-unroll=12 -eva-slevel=1000: the same pieces by the core's test, with a depth state, any, and without:
- * the same */
+/* PROVE tests -eva-min-loop-unroll=12 -eva-slevel=1000: the same pieces by the core's test, with a depth state, any,
+ * and without: the same */
 void tests(void)
 {
     runs_of(0);
@@ -132,8 +133,8 @@ void steeps(void)
         (void)steepness(any_i64(-most, most), any_i64((int64_t)OCTAVE_LO(k), (int64_t)OCTAVE_HI(k)));
 }
 
-/* PROVE biases -eva-use-spec=steepness: every offset, slope, depth and difference of corners below 2^22, areas below 2^46 by octave: at most BIAS_MAX
- * either way */
+/* PROVE biases -eva-use-spec=steepness: every offset, slope, depth and difference of corners below 2^22, areas below
+ * 2^46 by octave: at most BIAS_MAX either way */
 void biases(void)
 {
     static struct zs_depth depth;
@@ -194,8 +195,8 @@ static void walks_of(int wide)
     }
 }
 
-/* PROVE rows -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows of 1 and of 4096 columns, triangles of 1, 16 and up to 20 rows from the first, the fourth
- * and the last on, any columns: what spans are given lies within the strip */
+/* PROVE rows -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows of 1 and of 4096 columns, triangles of 1, 16 and
+ * up to 20 rows from the first, the fourth and the last on, any columns: what spans are given lies within the strip */
 void rows(void)
 {
     walks_of(0);

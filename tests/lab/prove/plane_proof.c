@@ -80,8 +80,8 @@ static void any_sides(int32_t most)
     g->dy2 = any_i32(0, most);
 }
 
-/* PROVE geometry: every area by octave, tiny (below 2^30) or not, vertices and frames in their whole range; relations between
- * differences and area taken as given */
+/* PROVE geometry: every area by octave, tiny (below 2^30) or not, vertices and frames in their whole range; relations
+ * between differences and area taken as given */
 void geometry(void)
 {
     for (int k = 0; k < 45; k++)
@@ -110,8 +110,8 @@ static void quotient_of(int64_t n, int32_t lz)
     }
 }
 
-/* PROVE quotients -eva-split-return=full: |n| <= 2^48 by octave and sign, leading zeros 1 .. 31 of the area, every reciprocal, both
- * least shifts: at most 2^30 or 2^27, or too steep */
+/* PROVE quotients -eva-split-return=full: |n| <= 2^48 by octave and sign, leading zeros 1 .. 31 of the area, every
+ * reciprocal, both least shifts: at most 2^30 or 2^27, or too steep */
 void quotients(void)
 {
     for (int32_t lz = 1; lz <= 31; lz++) {
@@ -126,8 +126,8 @@ void quotients(void)
     }
 }
 
-/* PROVE gradients -eva-use-spec=zs_plane_quotient: differences of values of 32 bits, of a tiny triangle's corners and of a small one's:
- * what is divided is at most 2^48 */
+/* PROVE gradients -eva-use-spec=zs_plane_quotient: differences of values of 32 bits, of a tiny triangle's corners and
+ * of a small one's: what is divided is at most 2^48 */
 void gradients(void)
 {
     static const int32_t most[2] = { SMALL_EXTENT, ZS_TINY };

@@ -38,17 +38,17 @@ static void edges_of(int32_t lo, int32_t hi)
 }
 
 /* PROVE edges -eva-min-loop-unroll=17: |dx| < 2^22, every dy below 2^22 by octave, the upper end at
- * both ends of its range and at 0, 1 and 16 rows by their distance from it, 0 .. dy and up to a sample more; remainders below
- * their divisors: taken as given */
+ * both ends of its range and at 0, 1 and 16 rows by their distance from it, 0 .. dy and up to a sample more; remainders
+ * below their divisors: taken as given */
 void edges(void)
 {
     const int32_t most = ((int32_t)1 << ZS_EXTENT_BITS) - 1;
     edges_of(-most, most);
 }
 
-/* PROVE tiny_edges -eva-min-loop-unroll=17: every triangle of up to 2^14 sub-pixels each way, its top corner at both ends of
- * its range and at 0, rows from its first, 17th, 49th and 65th on, 1, 2, 15 and 16 of them, the middle corner above all, below
- * one, below all; on either side; that no row lies beside a level edge: taken as given */
+/* PROVE tiny_edges -eva-min-loop-unroll=17: every triangle of up to 2^14 sub-pixels each way, its top corner at both
+ * ends of its range and at 0, rows from its first, 17th, 49th and 65th on, 1, 2, 15 and 16 of them, the middle corner
+ * above all, below one, below all; on either side; that no row lies beside a level edge: taken as given */
 void tiny_edges(void)
 {
     static const int32_t at[3] = { COORD_LO, 0, COORD_HI };

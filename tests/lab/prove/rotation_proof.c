@@ -42,8 +42,8 @@ static int any_vector(int32_t v[3], int k, int n)
     return 1;
 }
 
-/* PROVE units -eva-use-spec=zs_recip,zs_isqrt64,magnitude: every vector of 32 bits but 0, by octave and place of a largest component, by signs:
- * zs_unit, and the axis of zs_pose_rotate */
+/* PROVE units -eva-use-spec=zs_recip,zs_isqrt64,magnitude: every vector of 32 bits but 0, by octave and place of a
+ * largest component, by signs: zs_unit, and the axis of zs_pose_rotate */
 void units(void)
 {
     for (int k = 0; k <= 31; k++)
@@ -71,7 +71,8 @@ void units_of_64_bits(void)
     }
 }
 
-/* PROVE products -eva-split-return=auto: matrices of elements up to 2^30 + 2^10: zs_rotation_mul, zs_cross; zs_rotation_ok of any 32 bits */
+/* PROVE products -eva-split-return=auto: matrices of elements up to 2^30 + 2^10: zs_rotation_mul, zs_cross;
+ * zs_rotation_ok of any 32 bits */
 void products(void)
 {
     int32_t a[9], b[9], out[9];
@@ -86,8 +87,8 @@ void products(void)
             ASSERT(a[e] >= -NEARLY_ONE && a[e] <= NEARLY_ONE);
 }
 
-/* PROVE turns: every angle by eighth of a turn, about every axis with components up to 1 + 2^-40: fine_turn; of elements up to 2 each and a
- * rotation's: product; round_at_random of what is up to 1 + 2^-15 */
+/* PROVE turns: every angle by eighth of a turn, about every axis with components up to 1 + 2^-40: fine_turn; of
+ * elements up to 2 each and a rotation's: product; round_at_random of what is up to 1 + 2^-15 */
 void turns(void)
 {
     const int64_t most = ONE_Q60 + (1 << 20);

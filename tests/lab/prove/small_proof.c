@@ -19,7 +19,8 @@ static inline uint32_t zs_recip_inline(uint32_t a);
     assigns \result \from n, rcp, lz, least_shift;
     ensures bound: \result == -2147483648 || -134217728 <= \result <= 134217728; */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift);
-/* What rows are given: struct zs_sides in words: span, step, span, step; two a row; two sums; key, gx; row, mid, end. */
+/* What rows are given: struct zs_sides in words: span, step, span, step; two a row; two sums; key, gx; row, mid,
+ * end. */
 struct zs_sides;
 /*@ requires spans: ((unsigned int *)w)[0] < 0x400000 && ((unsigned int *)w)[2] < 0x400000;
     requires rows: ((int *)w)[10] < ((int *)w)[12] <= ((int *)w)[10] + 65;
@@ -45,10 +46,10 @@ static void any_small(int32_t x, int32_t y, int32_t from)
     (void)small_draw(&job);
 }
 
-/* PROVE small_setups -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1 -eva-use-spec=recip_in_line,zs_plane_quotient,small_rows: every triangle of up to 2^14
- * sub-pixels each way, any keys and pieces of 2^19 .. 2^31, its top corner at both ends of its range and at 0,
- * there on a pixel's border, on a sample and a sub-pixel beside it, strips from above it and from each of its 65
- * rows on, any width and height */
+/* PROVE small_setups -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1
+ * -eva-use-spec=recip_in_line,zs_plane_quotient,small_rows: every triangle of up to 2^14 sub-pixels each way, any keys
+ * and pieces of 2^19 .. 2^31, its top corner at both ends of its range and at 0, there on a pixel's border, on a sample
+ * and a sub-pixel beside it, strips from above it and from each of its 65 rows on, any width and height */
 void small_setups(void)
 {
     static const int32_t at[3] = { COORD_LO + 1, 0, COORD_HI - 1 - 255 }, part[5] = { 0, 127, 128, 129, 255 };

@@ -95,10 +95,11 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
         (void)draw_lit(&job);
 }
 
-/* PROVE small_textures -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1 -eva-use-spec=recip_in_line,zs_plane_quotient,palette_lit: every triangle of up to 2^14 sub-pixels each way,
- * coordinates that differ by less than 2^14, every uv_bits, any texture, keys and pieces of 2^19 .. 2^31, its top corner
- * at both ends of its range and at 0, there on a sample and a sub-pixel beside it, strips from above it, from its first
- * rows, middle ones and last */
+/* PROVE small_textures -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1
+ * -eva-use-spec=recip_in_line,zs_plane_quotient,palette_lit: every triangle of up to 2^14 sub-pixels each way,
+ * coordinates that differ by less than 2^14, every uv_bits, any texture, keys and pieces of 2^19 .. 2^31, its top
+ * corner at both ends of its range and at 0, there on a sample and a sub-pixel beside it, strips from above it, from
+ * its first rows, middle ones and last */
 void small_textures(void)
 {
     static const int32_t at[3] = { COORD_LO + 1, 0, COORD_HI - 1 - 255 }, part[3] = { 0, 128, 129 };
@@ -119,8 +120,8 @@ static void a_light(uint16_t *out, int32_t n, uint32_t level, uint32_t step)
         out[k] = (uint16_t)any_u32(0, 65535);
 }
 
-/* PROVE palettes -eva-min-loop-unroll=70: palettes of 1 .. 64 colours, any, and larger ones, formats without: one is lit where it
- * has up to 64 colours, once for the same light; nothing beyond them is read or written */
+/* PROVE palettes -eva-min-loop-unroll=70: palettes of 1 .. 64 colours, any, and larger ones, formats without: one is
+ * lit where it has up to 64 colours, once for the same light; nothing beyond them is read or written */
 void palettes(void)
 {
     static struct zs_texel format;

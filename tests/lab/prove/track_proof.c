@@ -20,8 +20,9 @@ static void a_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, in
     pieces++;
 }
 
-/* PROVE window_pieces -eva-min-loop-unroll=24: frames of 6 columns, every window and every piece, handed on to first touch or to the
- * test: what of it lies in the window, with its own key, and nothing where none does; the others are not counted as tested */
+/* PROVE window_pieces -eva-min-loop-unroll=24: frames of 6 columns, every window and every piece, handed on to first
+ * touch or to the test: what of it lies in the window, with its own key, and nothing where none does; the others are
+ * not counted as tested */
 void window_pieces(void)
 {
     static const struct zs_fast_touch touch = { .piece = a_piece };

@@ -19,8 +19,8 @@ static uint32_t any_depth(const struct zs_view *view, int32_t z, uint32_t rcp, i
     return any_u32(0, UINT32_MAX);
 }
 
-/* PROVE matrix_rows: every element |m| <= 2^30 + 1, in halves by sign and size; every shift 0 .. 29; every t below 2^60 with
- * t / 2^shift below 2^30 */
+/* PROVE matrix_rows: every element |m| <= 2^30 + 1, in halves by sign and size; every shift 0 .. 29; every t below 2^60
+ * with t / 2^shift below 2^30 */
 void matrix_rows(void)
 {
     for (int shift = 0; shift <= SHIFT_MAX; shift++)
@@ -85,8 +85,9 @@ static void projected(int32_t z_lo, int32_t z_hi)
     (void)zs_xform_outcode(&renderer.view, &p);
 }
 
-/* PROVE project_perspective -eva-split-return-function=zs_xform_project_at:0:1,zs_xform_project:0:1: x', y' of 32 bits, any; z of 256 .. 2^30 by octave and all below; every scale_bits 8 .. 31,
- * sub-pixel bits 4 and 8, frames of every size */
+/* PROVE project_perspective -eva-split-return-function=zs_xform_project_at:0:1,zs_xform_project:0:1: x', y' of 32 bits,
+ * any; z of 256 .. 2^30 by octave and all below; every scale_bits 8 .. 31, sub-pixel bits 4 and 8, frames of every
+ * size */
 void project_perspective(void)
 {
     for (int32_t snap = 0; snap <= 4; snap += 4) {
@@ -98,7 +99,8 @@ void project_perspective(void)
     }
 }
 
-/* PROVE project_orthographic -eva-split-return-function=zs_xform_project_at:0:1,zs_xform_project:0:1: x', y', z of 32 bits, any; every scale_bits 0 .. 40, sub-pixel bits 4 and 8 */
+/* PROVE project_orthographic -eva-split-return-function=zs_xform_project_at:0:1,zs_xform_project:0:1: x', y', z of 32
+ * bits, any; every scale_bits 0 .. 40, sub-pixel bits 4 and 8 */
 void project_orthographic(void)
 {
     for (int32_t snap = 0; snap <= 4; snap += 4) {

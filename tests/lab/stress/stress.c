@@ -222,7 +222,8 @@ static struct line *state_line(struct state *s, const char *name)
     return l;
 }
 
-/* Print it. Return 1: something never was; of triangles only accelerators are looked at, and whether they were listed. */
+/* Print it. Return 1: something never was; of triangles only accelerators are looked at, and whether they were
+ * listed. */
 static int seen_print(const struct state *s, int frames)
 {
     uint64_t sum[SEEN_N] = { 0 };

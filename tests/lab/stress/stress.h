@@ -14,8 +14,8 @@
 
 #define STRESS_FASTS 14 /* fast_count() */
 
-/* Frames of units in which something was there: of each accelerator not listed, listed, and listed with something done by
- * it; then what else a way or a scene has. Named in stress.c. */
+/* Frames of units in which something was there: of each accelerator not listed, listed, and listed with something done
+ * by it; then what else a way or a scene has. Named in stress.c. */
 enum stress_seen {
     SEEN_OFF = 0,
     SEEN_ON = SEEN_OFF + STRESS_FASTS,

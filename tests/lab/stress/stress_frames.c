@@ -1,7 +1,7 @@
 /* Random scenes that move, drawn by several hands, each some way of its own - strips, pools, buffers, accelerators,
- * zs_damage_compare, zs_damage_track, zs_damage_columns, zs_invalidate, two renderers that share the strips - onto a glass of its own that gets changed columns
- * alone, and the plainest way: one strip, large pools, no accelerators, a renderer without memory of the frame before.
- * Each glass must show the plain picture; keys are its keys.
+ * zs_damage_compare, zs_damage_track, zs_damage_columns, zs_invalidate, two renderers that share the strips - onto a
+ * glass of its own that gets changed columns alone, and the plainest way: one strip, large pools, no accelerators, a
+ * renderer without memory of the frame before. Each glass must show the plain picture; keys are its keys.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -86,7 +86,8 @@ static void shapes(struct prng *p)
     }
 }
 
-/* Many repeats in a triangle of a small texture, or a large one of which it has a texel or two a pixel, and all between. */
+/* Many repeats in a triangle of a small texture, or a large one of which it has a texel or two a pixel, and all
+ * between. */
 static void texels(struct prng *p)
 {
     static int filled;
