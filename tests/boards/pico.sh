@@ -114,7 +114,8 @@ scene_tests() { # SCENE, SCENE-2
 table_head() {
     echo
     echo "Raspberry Pi Pico, RP2040 at 125 MHz, ST7789 240x240 at 62.5 MHz: $FRAMES frames, $STEP apart, of each scene."
-    printf '%-9s %11s %8s %8s %6s %6s %6s %7s %8s %8s %7s %5s %7s %8s %6s\n' scene 'draw cycles' 'wire us' "+$GAP ns" fps \
+    printf '%-9s %11s %8s %8s %6s %6s %6s %7s %8s %8s %7s %5s %7s %8s %6s\n' scene 'draw cycles' 'wire us' \
+        "+$GAP ns" fps \
         "+$GAP ns" +flash misses 'strip us' 'its wire' hidden late RAM flash stack
 }
 late() { # FILE    of how many frames, from the last line of statistics
@@ -126,7 +127,8 @@ with_gaps() { # FILE NAME    -: it did not run with them
 }
 table_row() { # SCENE
     a=$out/$1.txt b=$out/$1.gap.txt c=$out/$1.xip.txt
-    echo "pico $1 $(field "$a" flash) $(field "$a" ram) $(field "$a" stack_used) $(field "$a" draw_cycles)" >>"$out/table.txt"
+    echo "pico $1 $(field "$a" flash) $(field "$a" ram) $(field "$a" stack_used) $(field "$a" draw_cycles)" \
+        >>"$out/table.txt"
     printf '%-9s %11d %8d %8s %6.1f %6s %6s %7s %8d %8d %6d%% %5s %7d %8d %6d\n' "$1" "$(field "$a" draw_cycles)" \
         "$(field "$a" wire_us)" "$(with_gaps "$b" wire_us)" "$(field "$a" fps)" "$(with_gaps "$b" fps)" \
         "$(with_gaps "$c" fps)" "$(with_gaps "$c" flash_misses)" $(($(field "$a" worst_strip_cycles) / 125)) \
@@ -137,7 +139,8 @@ table_row() { # SCENE
 table_2_head() {
     echo
     echo "The same with CORES=2: each core draws whichever strip is next, with an arena of its own."
-    printf '%-9s %9s %9s %8s %6s %6s %6s %7s %6s %6s %5s %7s %8s %6s %7s\n' scene 'core 0' 'core 1' 'wire us' fps "+$GAP ns" \
+    printf '%-9s %9s %9s %8s %6s %6s %6s %7s %6s %6s %5s %7s %8s %6s %7s\n' scene 'core 0' 'core 1' 'wire us' fps \
+        "+$GAP ns" \
         +flash misses gain hidden late RAM flash stack 'stack 1'
 }
 table_2_row() { # SCENE

@@ -32,4 +32,5 @@ sed -n 's/^function //p' "$stem.txt" | awk '{ printf "%10d  %s\n", $2, $1 }'
 objdump=$(make -s -f firmware/boards/firmware.mk BOARD="$board" B="$build" hal | head -1 | sed 's/gcc$/objdump/')
 "$objdump" -d --disassemble="$function" "$elf" | awk '
     NR == FNR { if ($1 == "at") runs[$2] = $3; next }
-    { at = $1; sub(/:$/, "", at); if (/^ *[0-9a-f]+:\t/) printf "%9s %s\n", (at in runs) ? runs[at] : ".", $0 }' "$stem.txt" -
+    { at = $1; sub(/:$/, "", at); if (/^ *[0-9a-f]+:\t/) printf "%9s %s\n", (at in runs) ? runs[at] : ".", $0 }' \
+        "$stem.txt" -

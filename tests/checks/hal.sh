@@ -17,7 +17,8 @@ peer() {
     defined=
     for f in $4; do
         # shellcheck disable=SC2086
-        $2 $3 -std=c11 -O2 $WARN -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -c "$f" -o "$B/hal/$1.o" || bad "$1 compiles" "$f"
+        $2 $3 -std=c11 -O2 $WARN -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -c "$f" -o "$B/hal/$1.o" ||
+            bad "$1 compiles" "$f"
         defined="$defined
 $("${2%gcc}nm" "$B/hal/$1.o" | awk '$2 ~ /[TDBRC]/ { print $3 }')"
     done
@@ -28,7 +29,8 @@ peer null gcc '' "$(echo hal/null/*.c)"
 for mk in firmware/boards/*/board.mk; do
     board=$(basename "$(dirname "$mk")")
     make -s -f firmware/boards/firmware.mk BOARD="$board" B="${B%/checks}" hal >"$B/hal/$board.txt"
-    peer "$board" "$(sed -n 1p "$B/hal/$board.txt")" "$(sed -n 2p "$B/hal/$board.txt")" "$(sed -n 3p "$B/hal/$board.txt")"
+    peer "$board" "$(sed -n 1p "$B/hal/$board.txt")" "$(sed -n 2p "$B/hal/$board.txt")" \
+        "$(sed -n 3p "$B/hal/$board.txt")"
 done
 
 not=

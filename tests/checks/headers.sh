@@ -182,7 +182,8 @@ clean() {
 for h in $HEADERS; do
     name=$(basename "$h")
     # twice, and a declaration, because zs_config.h has none and C asks for one
-    printf '#include "%s"\n' "$name" "$name" | sed '$a extern int declared;' | tee "$dir/only_${name%.h}.c" >"$dir/only_${name%.h}.cpp"
+    printf '#include "%s"\n' "$name" "$name" | sed '$a extern int declared;' |
+        tee "$dir/only_${name%.h}.c" >"$dir/only_${name%.h}.cpp"
 done
 for compiler in gcc clang; do
     for std in c99 c11 c17; do clean $compiler $std c "$C"; done
@@ -213,7 +214,8 @@ ends "C++11 program with more varyings than the library is refused" 7 g++ -std=c
 ends "C99 program with larger frames than the library is refused" 7 gcc -std=c99 -DZS_SIZE_MAX=8000 "$dir/main.c"
 
 # ZS_DEGREES of a variable would be floating point at run time
-printf '#include "zstrip.h"\nzs_turn turn(int x);\nzs_turn turn(int x)\n{\n    return ZS_DEGREES(x);\n}\n' >"$dir/variable.c"
+printf '#include "zstrip.h"\nzs_turn turn(int x);\nzs_turn turn(int x)\n{\n    return ZS_DEGREES(x);\n}\n' \
+    >"$dir/variable.c"
 sed 's/(x)/(30)/' "$dir/variable.c" >"$dir/fixed.c"
 for compiler in gcc clang g++ clang++; do
     flags='-O2 -Wpedantic -Werror'
@@ -289,10 +291,15 @@ int main(void)
     return err ? 1 : wrong ? 2 : seen < 4000 ? 3 : 0;
 }
 END
-if gcc -std=c11 -DZS_VARYINGS_MAX=8 -Ifirmware/zstrip "$dir/eight.c" firmware/zstrip/*/*.c -o "$dir/eight" 2>"$B/headers.txt"; then
+if gcc -std=c11 -DZS_VARYINGS_MAX=8 -Ifirmware/zstrip "$dir/eight.c" firmware/zstrip/*/*.c -o "$dir/eight" \
+    2>"$B/headers.txt"; then
     "$dir/eight"
     status=$?
-    if [ $status = 0 ]; then ok "eight varyings are interpolated alike"; else bad "eight varyings are interpolated alike" "exit $status"; fi
+    if [ $status = 0 ]; then
+        ok "eight varyings are interpolated alike"
+    else
+        bad "eight varyings are interpolated alike" "exit $status"
+    fi
 else
     bad "a library with eight varyings compiles" "$(first_error)"
 fi

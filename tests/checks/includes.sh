@@ -45,7 +45,8 @@ $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
 }
 
 zstrip=$(cd firmware/zstrip && ls ./*.h ./*/*.h | sed 's|^\./||; s/\./\\./' | tr '\n' '|')
-only "zstrip includes its own headers, stdint and stddef" "\"($zstrip)\"|$STD" firmware/zstrip/*.h firmware/zstrip/*/*.[ch]
+only "zstrip includes its own headers, stdint and stddef" "\"($zstrip)\"|$STD" \
+    firmware/zstrip/*.h firmware/zstrip/*/*.[ch]
 reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*/*.c
 
 # Arrows between files, "from to", firmware/zstrip/ left out.
@@ -58,7 +59,8 @@ awk 'function folder(f) { return sub(/\/.*/, "", f) ? f : "root" }
         for (f in at) { known = 0; for (i = 1; i <= k; i++) known += order[i] == f; if (!known) order[++k] = f }
         printf "%-9s", "includes"; for (j = 1; j <= k; j++) printf " %7s", order[j]; print ""
         for (i = 1; i <= k; i++) { printf "%-9s", order[i]
-            for (j = 1; j <= k; j++) printf " %7s", n[order[i], order[j]] ? n[order[i], order[j]] : "."; print "" } }' "$B/arrows.txt"
+            for (j = 1; j <= k; j++) printf " %7s", n[order[i], order[j]] ? n[order[i], order[j]] : "."
+            print "" } }' "$B/arrows.txt"
 # core/fast.h has the types of accelerators; that core needs none of them by name, kernels.sh sees.
 wrong=$(awk 'function folder(f) { return sub(/\/.*/, "", f) ? f : "root" }
     BEGIN { may["root"] = "root"; may["arch"] = "root arch"; may["core"] = "root arch core"
@@ -85,7 +87,8 @@ only "app sees public headers, hal.h, panel.h, scenes and its own" \
     "\"($APP|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
 only "showpieces see public headers and scenes'" \
     "\"(zs_[a-z]+|meshes)\\.h\"|$(headers firmware/scenes firmware/scenes/pieces)|$STD" firmware/scenes/pieces/*.[ch]
-only "scenes see zstrip.h, zs_fast.h and their own" "\"(zstrip|zs_fast|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
+only "scenes see zstrip.h, zs_fast.h and their own" "\"(zstrip|zs_fast|meshes)\\.h\"|$(headers firmware/scenes)|$STD" \
+    firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
 # A judge in sim: includes its own and standard headers, reaches nothing of what it judges, has header names of its

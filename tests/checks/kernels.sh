@@ -57,7 +57,8 @@ for c in $CPUS; do
     LIST='ZS_FAST_FRAME, ZS_FAST_SMOOTH,'
     without smooth recip "^($TEXTURE)" 'clusters|solid|texture|texels'
     LIST='ZS_FAST_FRAME, ZS_FAST_TEXTURE,'
-    without texture recip '^(zs_fast_texture_|zs_shade_texture_|zs_texel|fetch_(565|pal))' 'clusters|solid|smooth|texels'
+    without texture recip '^(zs_fast_texture_|zs_shade_texture_|zs_texel|fetch_(565|pal))' \
+        'clusters|solid|smooth|texels'
     LIST=$FAST_TEXTURE
     without texture_smooth recip '^(zs_fast_(texture$|texture_flat|pal)|zs_shade_texture(_flat)?$|zs_texel_pal|(fetch|rows|gather|small|small_lit)_pal)' \
         'clusters|solid|smooth'
@@ -71,12 +72,12 @@ for c in $CPUS; do
     all=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
     gone=
     for s in $CHECKS zs_shade_raw zs_shade_flat zs_shade_smooth zs_raw_face zs_flat_face zs_depth_recip \
-        zs_depth_linear zs_recip_setup linear_setup linear_planes zs_solid_run zs_pose_turn zs_fast_touch zs_fast_tiles zs_fast_batch \
-        zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth zs_fast_texture zs_fast_texture_flat zs_fast_texture_smooth \
-        zs_fast_565 zs_fast_pal8 zs_fast_pal4 zs_fast_less cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover batch_bin \
-        zs_camera_orbit zs_error_string zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
-        zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide zs_texture_run zs_texture_light zs_texture_start \
-        zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_planes any_row e3_setup e4_setup e5_setup any_setup; do
+        zs_depth_linear zs_recip_setup linear_setup linear_planes zs_solid_run zs_pose_turn zs_fast_touch \
+        zs_fast_tiles zs_fast_batch zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth zs_fast_texture zs_fast_texture_flat \
+        zs_fast_texture_smooth zs_fast_565 zs_fast_pal8 zs_fast_pal4 zs_fast_less cluster_open solid_rows smooth_rows texture_rows \
+        touch_piece tiles_cover batch_bin zs_camera_orbit zs_error_string zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
+        zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide \
+        zs_texture_run zs_texture_light zs_texture_start zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_planes any_row e3_setup e4_setup e5_setup any_setup; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"
     done
     none "$c everything holds every name looked for" "$gone"

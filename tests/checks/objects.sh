@@ -66,7 +66,8 @@ dir=$B/objects-fpu
 if core cortex-m4 "$dir" -mfloat-abi=hard -mfpu=fpv4-sp-d16; then
     fpu=$(for o in "$dir"/*.o; do
         ${ARM}objdump -d --no-show-raw-insn "$o" |
-            awk -v o="$(basename "$o")" '/>:$/ { f = $2 } $2 ~ /^v[a-z]+/ && $2 !~ /^v(ldr|str|push|pop|mov|ldm|stm)/ { print o f $2 }'
+            awk -v o="$(basename "$o")" '/>:$/ { f = $2 } $2 ~ /^v[a-z]+/ &&
+                $2 !~ /^v(ldr|str|push|pop|mov|ldm|stm)/ { print o f $2 }'
     done)
     none "cortex-m4f no FPU arithmetic" "$fpu"
 else

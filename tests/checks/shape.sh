@@ -53,8 +53,10 @@ within() { # WHAT FIGURE LIMIT [GOAL]
 code() { # PATTERN of files [PATTERN of those to leave out]: their lines of code
     awk -v p="$1" -v but="${2:-^$}" 'NF == 3 && $1 ~ p && $1 !~ but { n += $3 } END { print n + 0 }' "$B/shape.txt"
 }
-awk 'NF == 3 { split($1, p, "/"); d = index($1, "/") ? p[1] "/" : "public headers"; files[d]++; code[d] += $3; lines[d] += $2 }
-    END { for (d in files) printf "  %-16s %3d files %6d lines %6d of code\n", d, files[d], lines[d], code[d] }' "$B/shape.txt" | sort
+awk 'NF == 3 { split($1, p, "/"); d = index($1, "/") ? p[1] "/" : "public headers"; files[d]++
+        code[d] += $3; lines[d] += $2 }
+    END { for (d in files) printf "  %-16s %3d files %6d lines %6d of code\n", d, files[d], lines[d], code[d] }' \
+        "$B/shape.txt" | sort
 # Methods, primitives, effects, overlays and explanations have limits of their own
 effects='^effect/|^zs_(lights|filter|blend|environment|shadow|supersample)\.h'
 overlays='^overlay/|^zs_(overlay|fog|dither)\.h'
@@ -79,11 +81,12 @@ within "shade/, lines of code" "$(code ^shade/)" "$SHADE_MAX"
 longest() { # WHAT LIMIT GOAL: of lines "FIGURE NAME"; those that are above the goal
     sort -rn >"$B/longest.txt"
     awk -v goal="$3" '$1 > goal { print "  above the goal of " goal ": " $2, $1 }' "$B/longest.txt"
-    within "$1 ($(awk 'NR == 1 { print $2 }' "$B/longest.txt"))" "$(awk 'NR == 1 { print $1 } END { if (!NR) print 99999 }' "$B/longest.txt")" \
-        "$2" "$3"
+    within "$1 ($(awk 'NR == 1 { print $2 }' "$B/longest.txt"))" \
+        "$(awk 'NR == 1 { print $1 } END { if (!NR) print 99999 }' "$B/longest.txt")" "$2" "$3"
 }
 awk 'NF == 3 { print $2, $1 }' "$B/shape.txt" | longest "longest file, lines" "$FILE_MAX" 450
-awk '$1 == "function" { print $4, $2 ":" $3 }' "$B/shape.txt" | longest "longest function, lines of code" "$FUNCTION_MAX" 60
+awk '$1 == "function" { print $4, $2 ":" $3 }' "$B/shape.txt" |
+    longest "longest function, lines of code" "$FUNCTION_MAX" 60
 functions=$(grep -c ^function "$B/shape.txt")
 if [ "$functions" -ge 300 ]; then ok "functions are found: $functions"; else bad "functions are found" "$functions"; fi
 
@@ -99,6 +102,6 @@ columns() { # WHAT GOAL MOST MANY FILES...
 show=${2:-}
 columns "of firmware/zstrip" 100 "$COLUMNS_MAX" "$COLUMNS_MANY" firmware/zstrip/*.h firmware/zstrip/*/*.[ch]
 # shellcheck disable=SC2046
-columns elsewhere 120 "$ELSE_MAX" "$ELSE_MANY" $(find firmware hal sim tests Makefile -name '*.[chS]' -o -name '*.sh' -o -name '*.mjs' \
-    -o -name '*.mk' -o -name '*.ld' -o -name Makefile | grep -v '^firmware/zstrip/' | sort)
+columns elsewhere 120 "$ELSE_MAX" "$ELSE_MANY" $(find firmware hal sim tests Makefile -name '*.[chS]' -o -name '*.sh' \
+    -o -name '*.mjs' -o -name '*.mk' -o -name '*.ld' -o -name Makefile | grep -v '^firmware/zstrip/' | sort)
 exit $failed

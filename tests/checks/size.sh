@@ -35,7 +35,11 @@ textured() { # LABEL SHADER DEPTH TEXELS
 
 within() { # NAME BYTES MOST
     most=$(most_here "$3")
-    if [ "$2" -gt 0 ] && [ "$2" -le "$most" ]; then ok "$1 within $most bytes: $2"; else bad "$1 within $most bytes" "$2"; fi
+    if [ "$2" -gt 0 ] && [ "$2" -le "$most" ]; then
+        ok "$1 within $most bytes: $2"
+    else
+        bad "$1 within $most bytes" "$2"
+    fi
 }
 
 # The core alone. Limits are of -Os on the M3; make size prints all.
@@ -66,7 +70,8 @@ done
 # With the accelerators that a program names
 FRAME='ZS_FAST_FRAME,'
 names='batch touch tiles edges clusters raw flat smooth texture texture_flat texture_smooth 565 pal8 pal4'
-declared=$(sed -n '/^extern const struct zs_fast /{s/;.*//; s/.*struct zs_fast //; s/zs_fast_//g; s/, / /g; p}' firmware/zstrip/zs_fast.h)
+declared=$(sed -n '/^extern const struct zs_fast /{s/;.*//; s/.*struct zs_fast //; s/zs_fast_//g; s/, / /g; p}' \
+    firmware/zstrip/zs_fast.h)
 # shellcheck disable=SC2086
 none "accelerators are those of zs_fast.h" "$(printf '%s\n' $names $declared | sort | uniq -u)"
 flags=
@@ -81,7 +86,9 @@ for c in $CPUS; do
     flash "flat, linear" flat linear
     flash "flat, e3m13" flat e3m13
     flash "flat, recip, a state" flat recip '
-         extern const struct zs_depth_state state; instance.depth_state = &state;' 'const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = 2, .slope_bias = 3 };'
+         extern const struct zs_depth_state state; instance.depth_state = &state;' \
+        'const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = 2,
+             .slope_bias = 3 };'
     flash "flat, recip, turn and look at" flat recip \
         'zs_pose_turn(&instance.pose, 1, 2, 3);
          (void)zs_camera_look_at(&camera, (int32_t *)anything, (int32_t *)anything + 3, (int32_t *)anything + 6);'
@@ -102,7 +109,8 @@ for c in $CPUS; do
         flash "everything but zs_fast_$name" flat recip "$EVERYTHING" "$OTHERS" >"$dir/but.txt"
         grep FAILED "$dir/but.txt"
         printf '    %-32s %8d\n' "of which zs_fast_$name" $((all - core_bytes))
-        [ "$core_bytes" -gt 0 ] && [ $((all - core_bytes)) -gt 0 ] || bad "$c zs_fast_$name left out is gone" "$core_bytes of $all bytes"
+        [ "$core_bytes" -gt 0 ] && [ $((all - core_bytes)) -gt 0 ] ||
+            bad "$c zs_fast_$name left out is gone" "$core_bytes of $all bytes"
         [ "$name" = clusters ] && without_clusters=$core_bytes
     done
     ok "$c bytes go with each accelerator that is left out"
@@ -119,7 +127,8 @@ for c in $CPUS; do
     dir=$B/size-panels-$c
     panels "$c" "$dir" || { bad "panels, $c compile" "see above"; continue; }
     printf '%-36s %8s %8s\n' "Flash, bytes, $c -O2" panel "libgcc+c"
-    for one in "st7789 240 240" "ili9341 240 320" "gc9a01 240 240" "ssd1351 128 128" "ssd0323 128 64" "ssd1306 128 64"; do
+    for one in "st7789 240 240" "ili9341 240 320" "gc9a01 240 240" "ssd1351 128 128" "ssd0323 128 64" \
+        "ssd1306 128 64"; do
         # shellcheck disable=SC2086
         minimal_panel "$dir/main.c" $one
         if ! link "$c" "$dir" "$dir/main.c" "$dir/size.elf" -Wl,-Map,"$dir/size.map"; then

@@ -71,7 +71,8 @@ bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _
     stack "$1" "$dir" "$most" $prefix \
         zs_sink,zs_shader.fragment,zs_shader.position,zs_background,zs_resolve,zs_explainer.say "$3" $first \
         zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn zs_pose_rotate \
-        zs_camera_perspective zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit zs_unit zs_mesh_check zs_texture_check
+        zs_camera_perspective zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit zs_unit \
+        zs_mesh_check zs_texture_check
 }
 for c in $CPUS; do
     case $c in *m0*) empty=zs_fast.edges,zs_fast.draw ;; *) empty=- ;; esac # nothing on a core that cannot divide
@@ -83,7 +84,8 @@ for c in $CPUS; do
     dir=$B/stack-panels-$c
     panels "$c" "$dir" || { bad "panels, $c compile" "see above"; continue; }
     minimal_panel "$dir/main.c" st7789 240 240 "$ALL_PANELS"
-    link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections || { bad "panels, $c link" "see above"; continue; }
+    link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections ||
+        { bad "panels, $c link" "see above"; continue; }
     stack "panels, $c" "$dir" "$PANEL_LIMIT" panel_ hal_bus,hal_hooks - panel_send
 done
 
@@ -95,7 +97,8 @@ painted() { # BOARD CPU
     send=$(sed -n 's/^ok .* panel_send //p' "$B/stack-panels-$2/bound.txt")
     awk -v board="$1" -v bound=$((${render:-0} + ${send:-0})) '$5 > most { most = $5; scene = $2 }
         END { if (most + 0 > 0 && most <= bound) { print "ok " board " painted stack " most " (" scene ") within the bound, " bound; exit }
-            print "FAILED " board " painted stack: " most + 0 ", bound " bound; exit 1 }' "${B%/checks}/$1/table.txt" || failed=1
+            print "FAILED " board " painted stack: " most + 0 ", bound " bound; exit 1 }' "${B%/checks}/$1/table.txt" ||
+                failed=1
 }
 painted pico cortex-m0plus
 painted microbit cortex-m0plus

@@ -449,11 +449,13 @@ awk -F, '
         for (i = 1; i <= n; i++) {
             printf "\n%-16s %8.2fM %6.3f", scene[i], all[scene[i]] / 1e6, times[scene[i], "none"]
             for (k = 1; k <= names; k++)
-                printf " %*s", width(k), (scene[i], name[k]) in times ? sprintf("%.3f", times[scene[i], name[k]]) : "-" }
+                printf " %*s", width(k),
+                    (scene[i], name[k]) in times ? sprintf("%.3f", times[scene[i], name[k]]) : "-" }
         printf "\n%-16s %9s %6s", "flash", "", ""
         for (k = 1; k <= names; k++) printf " %*d", width(k), bytes[name[k]]
         print "" }
-    function width(k) { return length(short(name[k])) < 6 ? 6 : length(short(name[k])) }' "$out/flash.txt" "$out/fast.csv"
+    function width(k) { return length(short(name[k])) < 6 ? 6 : length(short(name[k])) }' "$out/flash.txt" \
+        "$out/fast.csv"
 echo
 echo "CSV: $out/bench.csv, $out/fast.csv, and $out/BOARD.csv of all configurations"
 exit $failed

@@ -11,7 +11,8 @@ LONG=${LONG:-60}
 TOKENS=${TOKENS:-60}
 for part in firmware/zstrip hal sim tests; do
     # shellcheck disable=SC2046
-    pmccabe $(find "$part" -name '*.c' | sort) | sort -k5,5n | awk -v part="$part" -v complex="$COMPLEX" -v long="$LONG" '
+    pmccabe $(find "$part" -name '*.c' | sort) | sort -k5,5n |
+        awk -v part="$part" -v complex="$COMPLEX" -v long="$LONG" '
         { n++; m[n] = $2 + 0; l[n] = $5 + 0 }
         $2 > complex || $5 > long { out = out sprintf("    complexity %3d, %3d lines: %s %s\n", $2, $5, $6, $7) }
         function sorted(a, n, i, j, t) { for (i = 2; i <= n; i++) { t = a[i]

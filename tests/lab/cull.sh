@@ -31,6 +31,9 @@ else
 fi
 echo "Instructions a frame (QEMU mps2-an385 -icount), 320x240, strips of 24 rows:"
 awk -F, 'NF == 9 {
-    if (!n++) { printf "%-18s %-12s %10s %9s %7s %8s %8s %8s %9s\n", "scene", "", $3, $4, $5, $6, $7, $8, "drawn"; next }
+    if (!n++) {
+        printf "%-18s %-12s %10s %9s %7s %8s %8s %8s %9s\n", "scene", "", $3, $4, $5, $6, $7, $8, "drawn"
+        next
+    }
     printf "%-18s %-12s %10s %9s %7s %8s %8s %8s %9s\n", $1, $2, $3, $4, $5, $6, $7, $8, $9 }' "$out/csv"
 exit $failed

@@ -121,7 +121,8 @@ awk -F, '
             s = order[i]
             print s
             for (k = 1; k <= n[s]; k++)
-                printf "  %4d KB %9.3f in %4d %8.2f\n", kb[s, k], count[s, k] / 1e6, passes[s, k], count[s, k] / count[s, n[s]]
+                printf "  %4d KB %9.3f in %4d %8.2f\n", kb[s, k], count[s, k] / 1e6, passes[s, k],
+                    count[s, k] / count[s, n[s]]
         }
     }' "$out/mps2.csv"
 [ "${2:-}" = plots ] || exit $failed
@@ -171,7 +172,8 @@ plot depth 'layers that fill 320x240; balls behind each other' '1, 2, 4, 8, 16, 
     echo "set xlabel 'KB of RAM, everything counted'; set ylabel 'instructions a frame, Cortex-M3'; set format y '%.0s %c'"
     echo "set xtics (8, 16, 32, 64, 128)"
     awk -F, -v csv="$out/mps2.csv" -v q="'" '$1 == "ram" && NF == 11 && !($2 in seen) {
-        printf "%s%s< grep \"^ram,%s,\" %s%s using 3:11 with linespoints lw 2 title %s%s%s", n++ ? ", " : "plot ", q, $2, csv, q, q, $2, q
+        printf "%s%s< grep \"^ram,%s,\" %s%s using 3:11 with linespoints lw 2 title %s%s%s", n++ ? ", " : "plot ",
+            q, $2, csv, q, q, $2, q
         seen[$2] = 1 }' "$out/mps2.csv"
 } >"$out/ram.gnuplot"
 gnuplot "$out/ram.gnuplot" || bad "plot of ram" "gnuplot says no"

@@ -94,7 +94,8 @@ for c in $CPUS; do
         echo "        { { 0, 0 },"
         awk -v c="$c" -v d="$d" '$1 == c && $2 == d { at[$3] = "{ " $4 ", " $5 " }" }
             END { for (m = 1; m < 64; m++)
-                printf "%s%s%s", m % 6 == 1 ? "          " : " ", at[m], m == 63 ? "\n" : m % 6 ? "," : ",\n" }' "$work/flash.txt"
+                printf "%s%s%s", m % 6 == 1 ? "          " : " ", at[m], m == 63 ? "\n" : m % 6 ? "," : ",\n" }' \
+            "$work/flash.txt"
         echo "        },"
     done
     echo "    },"
@@ -117,7 +118,9 @@ for x in $TEXELS; do
         "struct zs_texture texture = { .format = &zs_texel_$x };" " &zs_fast_$x,") };"
 done
 echo "static const struct record_bytes record_state[RECORD_CPUS] = { $(more state \
-    'extern const struct zs_depth_state state; instance.depth_state = &state;' 'const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = 2, .slope_bias = 3 };') };"
+    'extern const struct zs_depth_state state; instance.depth_state = &state;' \
+    'const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = 2,
+        .slope_bias = 3 };') };"
 echo "static const struct record_bytes record_watch[RECORD_CPUS] = { $(more watch \
     'static struct zs_strip_hashes sums; (void)zs_strip_hashes_init(&sums, (uint64_t *)anything, 240, 240, 24, 1);
      (void)zs_damage_compare(&renderer, &sums);' '') };"

@@ -20,7 +20,8 @@ echo "Instructions a frame (QEMU mps2-an385 -icount): all strips; with zs_damage
 echo "instance moved: by strips and by columns (zs_damage_columns); %: of all strips, and of their pixels what was sent"
 awk -F, '$2 + 0 > 0 && NF == 16 {
     if (!n++)
-        printf "%-14s %9s %9s %8s %6s %9s %6s %-9s %6s %9s %6s %6s\n", "scene", "full", "first", "still", "%", "moved", "%",
+        printf "%-14s %9s %9s %8s %6s %9s %6s %-9s %6s %9s %6s %6s\n", "scene", "full", "first", "still", "%",
+               "moved", "%",
                "strips", "sent %", "columns", "%", "sent %"
     printf "%-14s %9d %9d %8d %6.2f %9d %6.1f %2d of %-3d %6.1f %9d %6.1f %6.1f\n", $1, $2, $5, $8, 100 * $8 / $2, $11,
            100 * $11 / $2, $12, $3, 100 * $13 / $4, $14, 100 * $14 / $2, 100 * $16 / $4 }' "$out/csv"

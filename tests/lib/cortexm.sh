@@ -183,7 +183,8 @@ link() {
     cpu=$1 dir=$2 main=$3 out=$4
     shift 4
     # shellcheck disable=SC2086
-    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel "$main" "$dir"/*.o -nostartfiles \
+    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel "$main" "$dir"/*.o \
+        -nostartfiles \
         -Wl,--gc-sections,-e,main "$@" -o "$out"
 }
 

@@ -8,7 +8,8 @@ DESIGNATED='texture cluster mesh material pose instance light scene camera confi
 
 # DIR: firmware/zstrip's headers, of the repository in $top or here; fails where one of the structs is not found.
 designated_headers() {
-    mkdir -p "$1" && to=$(cd "$1" && pwd) && (cd "${top:-.}/firmware/zstrip" && cp --parents ./*.h ./*/*.h "$to") || return 1
+    mkdir -p "$1" && to=$(cd "$1" && pwd) && (cd "${top:-.}/firmware/zstrip" && cp --parents ./*.h ./*/*.h "$to") ||
+        return 1
     for struct in $DESIGNATED; do
         sed -i "s/^struct zs_$struct {/struct __attribute__((designated_init)) zs_$struct {/" "$1"/*.h
         grep -q "designated_init)) zs_$struct {" "$1"/*.h || return 1

@@ -358,7 +358,8 @@ done
 # ---- False colours -------------------------------------------------------------------------------
 # Eight layers of 160 x 100 px, the nearest first; they cover tiles of 32 columns
 awk 'BEGIN { for (k = 0; k < 8; k++) { z = 14 - 4 * k
-    printf "v -56 -50 %d\nv 104 -50 %d\nv 104 50 %d\nv -56 50 %d\nf %d %d %d %d\n", z, z, z, z, 4*k+1, 4*k+2, 4*k+3, 4*k+4
+    printf "v -56 -50 %d\nv 104 -50 %d\nv 104 50 %d\nv -56 50 %d\nf %d %d %d %d\n", z, z, z, z, 4*k+1, 4*k+2, 4*k+3,
+        4*k+4
 } }' >layers.obj
 color_at() { # NAME X Y
     look pixel "out/$1.png" "$2" "$3"
@@ -387,7 +388,8 @@ is "eight layers" "$(stat_of tested pixels_tested)" 128000
 before=$(stat_of tested show_sum)
 draw after layers.obj $plain --mesh file --show tested
 is "sum after" "$(stat_of after show_sum)" $(($(stat_of after pixels_tested) - $(stat_of after pixels_untested)))
-[ "$(stat_of after show_sum)" -lt "$((before / 2))" ] || wrong "accelerators left $(stat_of after show_sum) of $before tests"
+[ "$(stat_of after show_sum)" -lt "$((before / 2))" ] ||
+    wrong "accelerators left $(stat_of after show_sum) of $before tests"
 draw after layers.obj $plain --mesh file --show complexity
 is "complexity after" "$(stat_of after show_sum)" "$before"
 note="$before keys tested, $(stat_of after pixels_tested) with accelerators"
@@ -400,7 +402,8 @@ for list in none all-tiles all-touch all-batch-edges-clusters all-flat-texture b
     same fast_all fast
     case $list in
     none | batch | all-touch) is "$list: untested" "$(stat_of fast pixels_untested)" 0 ;;
-    *) [ "$(stat_of fast pixels_untested)" -gt 0 ] || [ "$list" = tiles,flat ] || wrong "$list: every pixel is tested" ;;
+    *) [ "$(stat_of fast pixels_untested)" -gt 0 ] || [ "$list" = tiles,flat ] ||
+        wrong "$list: every pixel is tested" ;;
     esac
     hidden=$(stat_of fast triangles_hidden)
     case $list in
@@ -425,7 +428,8 @@ for y in 5 45 85 125 165 205; do [ "$(color_at strips 239 $y)" != ffffff ] || fu
 [ $full -lt 6 ] || wrong "all bars are as wide as the frame"
 
 begin show_distance_from_near_to_far
-obj steps 'v -50 -50 0' 'v 0 -50 0' 'v 0 50 0' 'v -50 50 0' 'v 0 -50 -60' 'v 50 -50 -60' 'v 50 50 -60' 'v 0 50 -60' 'f 1 2 3 4' 'f 5 6 7 8'
+obj steps 'v -50 -50 0' 'v 0 -50 0' 'v 0 50 0' 'v -50 50 0' 'v 0 -50 -60' 'v 50 -50 -60' 'v 50 50 -60' 'v 0 50 -60' \
+    'f 1 2 3 4' 'f 5 6 7 8'
 draw depth steps.obj $plain --show depth
 is "nearest" "$(color_at depth 90 120)" ffffff
 is "farthest" "$(color_at depth 150 120)" "$(color_at depth 239 258)"
@@ -864,7 +868,8 @@ for pair in '--size 240' '--size 240x' '--size x240' '--size 1x2x3' '--size 1.5x
     '--strip 4rows' '--eye 1,2' '--eye 1,2,3,4' '--eye 1,,3' '--at 1;2;3' '--up 0,1,0,' '--fov 45deg' \
     '--near 0x10' '--far 1,5' '--depth-bits 9.5' '--tris 1e3' '--subpixel 5' '--subpixel 88' \
     '--background 12345' '--background 1234567' '--background 0x1234' '--shade Flat' '--cull both' \
-    '--projection ortho' '--depth recipe' '--depth lin' '--fast nothing' '--fast all-' '--fast all-tile' '--fast batch,' \
+    '--projection ortho' '--depth recipe' '--depth lin' '--fast nothing' '--fast all-' '--fast all-tile' \
+    '--fast batch,' \
     '--fast all,batch' '--fast allbatch' '--fast All'; do
     n=$((n + 1))
     as=$(echo "${pair#--}" | tr -c 'A-Za-z0-9\n' _)

@@ -413,7 +413,8 @@ draw plainly mixed.obj $plain --shade flat
 cmp -s out/mixed.u32 out/plainly.u32 || wrong "triangles are numbered otherwise than without textures"
 cmp -s out/mixed.pgm out/plainly.pgm || wrong "depth differs from that without textures"
 for shade in textured:smooth textured-flat:flat; do
-    z render mixed.obj --eye 3,1,120 --at 0,0,0 --fov 90 --light 1,2,3 --shade "${shade%:*}" --compare --out out/c.png --stats out/c.json
+    z render mixed.obj --eye 3,1,120 --at 0,0,0 --fov 90 --light 1,2,3 --shade "${shade%:*}" --compare --out out/c.png \
+        --stats out/c.json
     at_most "largest difference of a channel, $shade" "$(stat_of c compare_channel_max_diff)" 1
     is "triangles that differ" "$(stat_of c compare_wrong_triangle)" 0
     draw mixed mixed.obj $plain --light 1,2,3 --shade "${shade%:*}"
@@ -441,7 +442,8 @@ is "bits of a picture far away" "$(stat_of far uv_bits_least)" 15
 # 64 strips that go on across 192 repeats: as a whole too far for 1/16 texel, triangle by triangle not
 awk 'BEGIN { for (i = 0; i <= 64; i++) {
         printf "v %.6f -50 0\nv %.6f 50 0\nvt %.6f 0\nvt %.6f 1\n", i * 1.5625 - 50, i * 1.5625 - 50, i * 3.01, i * 3.01
-        if (i > 0) printf "f %d/%d %d/%d %d/%d %d/%d\n", 2*i-1, 2*i-1, 2*i+1, 2*i+1, 2*i+2, 2*i+2, 2*i, 2*i } }' >many.obj
+        if (i > 0) printf "f %d/%d %d/%d %d/%d %d/%d\n", 2*i-1, 2*i-1, 2*i+1, 2*i+1, 2*i+2, 2*i+2, 2*i, 2*i } }' \
+            >many.obj
 z render many.obj $plain --mesh file --shade unlit --texture numbers.png --compare --out out/c.png --stats out/c.json
 is "status of many repeats" $status 0
 at_most "error in texels" "$(stat_of c uv_error_texels)" 0.0625
@@ -527,7 +529,8 @@ for depth in e3m13 e4m12 e5m11; do
     refused orthographic_$depth "$depth" quad.obj --depth $depth --projection orthographic
 done
 
-./fixture png rgb noise.png 64 64 $(awk 'BEGIN { srand(3); for (i = 0; i < 4096; i++) printf "%06x ", rand() * 16777215 }')
+./fixture png rgb noise.png 64 64 \
+    $(awk 'BEGIN { srand(3); for (i = 0; i < 4096; i++) printf "%06x ", rand() * 16777215 }')
 ./fixture jpg noise.jpg 64 64 $(awk 'BEGIN { srand(3); for (i = 0; i < 4096; i++) printf "%06x ", rand() * 16777215 }')
 head -c 6000 noise.png >cut.png
 head -c 3000 noise.jpg >cut.jpg
@@ -557,7 +560,8 @@ finish
 built=$(dirname "$zsim")
 if gcc -std=gnu11 -O1 -g -fsanitize=address,undefined -Wall -Wextra -Werror -I"$top/sim/cli" -I"$top/sim/frame" \
     -I"$top/sim/compare" -I"$top/sim/reference" -I"$top/firmware/zstrip" "$top/tests/tools/truth.c" \
-    "$built/sim/compare/scene_reference.o" "$built/sim/frame/frame.o" "$built/sim/frame/method_names.o" "$built/sim/frame/scene_share.o" \
+    "$built/sim/compare/scene_reference.o" "$built/sim/frame/frame.o" "$built/sim/frame/method_names.o" \
+        "$built/sim/frame/scene_share.o" \
     "$built/sim/frame/texel_numbers.o" "$built/sim/cli/sim.o" "$built/sim/reference/reference.o" "$built/libtest.a" \
     -lm -o truth; then
     ./truth || n_failed=$((n_failed + 1))

@@ -6,7 +6,8 @@ set -u
 . tests/tools/zsim.sh
 
 figure() { # SCENE METHOD COLUMN
-    awk -v scene="$1" -v method="$2" -v column="$3" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == column) at = i; next }
+    awk -v scene="$1" -v method="$2" -v column="$3" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == column) at = i
+    next }
         $1 == scene && $2 == method { print $(column == "wrong" ? NF : at) }' table
 }
 begin gallery

@@ -199,7 +199,8 @@ finds_nothing '$5 == "cure" { wrong[$11] = $15; all = $16 }
     END { if (wrong["as it is"] < all / 10) print "nothing to cure"
           if (wrong["near plane at 40"] * 10 > wrong["as it is"]) print "near plane: " wrong["near plane at 40"]
           if (wrong["16 bits"] * 10 > wrong["as it is"]) print "bits: " wrong["16 bits"]
-          if (wrong["default mapping and 16 bits"] + wrong["offset of 2 buckets"] > 0) print "default, offset" }' all/depth.csv
+          if (wrong["default mapping and 16 bits"] + wrong["offset of 2 buckets"] > 0) print "default, offset" }' \
+        all/depth.csv
 
 begin study_ranges_end_by_name
 finds_nothing '
@@ -242,7 +243,8 @@ grep -q 'The default (float 16, S 8) is one of them' counted/time.section ||
     wrong "the page does not say where the default is"
 [ "$cores" = m3 ] || finds_nothing '
     NR > 1 && $7 == 8 && $9 == 16 && !($29 > 500000 && $29 < 20000000) { print "row", NR, $29 }
-    NR > 1 && !($7 == 8 && $9 == 16) && $29 != "" { print "row", NR, "is not counted on the host:", $29 }' counted/time.csv
+    NR > 1 && !($7 == 8 && $9 == 16) && $29 != "" { print "row", NR, "is not counted on the host:", $29 }' \
+        counted/time.csv
 note="on $cores"
 begin study_default_is_on_the_front
 grep -qx 'default: on the front' stdout || wrong "$(head -1 stdout)"
