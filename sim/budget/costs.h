@@ -60,7 +60,7 @@
     X(edge_small_div, "set-up", "edge of a small triangle that a core without a divider divides for")           \
     X(setup_octaves, "set-up", "more where depth float crosses an octave")                                      \
     X(setup_linear, "set-up", "more with depth linear")                                                         \
-    X(setup_fresh, "set-up", "more where nothing was drawn before it")                                          \
+    X(setup_untouched, "set-up", "more where nothing was drawn before it")                                      \
     X(start_smooth, "set-up", "more for colours, affine")                                                       \
     X(start_smooth_w, "set-up", "more for colours in perspective")                                              \
     X(start_texture, "set-up", "more for texels, affine")                                                       \
@@ -69,7 +69,7 @@
     X(row_small, "row", "row of a small triangle")                                                              \
     X(row_small_texel, "row", "row of a small triangle with a texture")                                         \
     X(row, "row", "row of any other: its two edges")                                                            \
-    X(row_fresh, "row", "row with pixels, more where nothing was drawn before it")                              \
+    X(row_untouched, "row", "row with pixels, more where nothing was drawn before it")                          \
     X(row_clear, "row", "row of a strip, drawn on so: what is left of it is cleared")                           \
     X(span_small, "span", "row with pixels, small triangle")                                                    \
     X(span_small_texel, "span", "row with pixels, small triangle with a texture")                               \
@@ -88,7 +88,7 @@
     X(px_runs, "pixel", "pixel tested, any other way")                                                          \
     X(px_linear, "pixel", "pixel tested, depth linear")                                                         \
     X(px_state, "pixel", "pixel tested, with a state")                                                          \
-    X(px_fresh, "pixel", "key of a pixel drawn without a test")                                                 \
+    X(px_untouched, "pixel", "key of a pixel drawn without a test")                                             \
     X(fill_px, "pixel", "pixel of one colour filled where nothing was drawn")                                   \
     X(won_small, "pixel", "more where it wins, small triangle")                                                 \
     X(won_small_lit, "pixel", "more where it wins and a texture is lit, small triangle")                        \
@@ -99,7 +99,7 @@
     X(won_pal4, "pixel", "more where it wins, texel pal4")                                                      \
     X(won_runs, "pixel", "more where it wins, any other way: its depth")                                        \
     X(run, "run", "run of pixels that win, any other way")                                                      \
-    X(run_fresh, "run", "more where nothing was drawn before it")                                               \
+    X(run_untouched, "run", "more where nothing was drawn before it")                                           \
     X(run_solid_px, "run", "pixel of one colour in a run")                                                      \
     X(run_smooth_px, "run", "pixel of smooth colour in a run")                                                  \
     X(run_smooth_part, "run", "part of up to 16 smooth pixels in perspective")                                  \

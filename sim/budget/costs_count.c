@@ -69,7 +69,7 @@ static struct {
     uint8_t linear;    /* flag: keys are linear on the screen in this view */
     uint8_t lit;       /* flag: the small triangle in hand is drawn lit */
     uint8_t testing;   /* flag: the piece in hand is tested */
-    uint8_t fresh;     /* flag: a triangle of this strip was drawn on fresh pixels */
+    uint8_t untouched;     /* flag: a triangle of this strip was drawn on untouched pixels */
     uint8_t tiles;     /* flag: triangles are asked what they hide */
     struct shape shape;  /* of the triangle that was set up last */
     zs_piece_fn *piece;  /* what on_piece stands for */
@@ -414,17 +414,17 @@ static void on_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, i
 static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct our_shader *s = shader_of(job->shader);
-    const int fresh = job->split & ZS_SPLIT_TOUCH && !now.testing;
+    const int untouched = job->split & ZS_SPLIT_TOUCH && !now.testing;
     now.n[SIM_COST_run]++;
-    now.n[SIM_COST_run_fresh] += fresh;
-    if (fresh)
-        now.n[SIM_COST_px_fresh] += to - from;
-    if (fresh && job->w64_scale != NO_OCTAVES)
+    now.n[SIM_COST_run_untouched] += untouched;
+    if (untouched)
+        now.n[SIM_COST_px_untouched] += to - from;
+    if (untouched && job->w64_scale != NO_OCTAVES)
         now.n[SIM_COST_piece]++;
     if (job->depth_state)
         now.n[SIM_COST_won_runs] += to - from;
     if (s->kind == KIND_SOLID)
-        now.n[fresh ? SIM_COST_fill_px : SIM_COST_run_solid_px] += to - from;
+        now.n[untouched ? SIM_COST_fill_px : SIM_COST_run_solid_px] += to - from;
     if (s->kind == KIND_SMOOTH) {
         now.n[SIM_COST_run_smooth_px] += to - from;
         if (job->sub_log2 != ZS_AFFINE)
@@ -489,10 +489,10 @@ static int on_planes(struct zs_job *job)
     job->w64_scale = NO_OCTAVES;
     const int linear = now.linear || now.of->planes(job);
     if (job->split & ZS_SPLIT_TOUCH) {
-        now.fresh = 1;
-        now.n[SIM_COST_setup_fresh]++;
+        now.untouched = 1;
+        now.n[SIM_COST_setup_untouched]++;
         now.n[SIM_COST_setup_octaves] += job->w64_scale != NO_OCTAVES;
-        now.n[SIM_COST_row_fresh] += shape->spans;
+        now.n[SIM_COST_row_untouched] += shape->spans;
     } else if (linear && job->depth_state) {
         now.n[SIM_COST_span_runs] += shape->spans;
         now.n[SIM_COST_px_state] += shape->px;
@@ -663,9 +663,9 @@ static int on_submit(void *ctx, const struct zs_strip *strip)
         now.walks++;
     now.band_end = now.r->band_end;
     count_bounds(strip);
-    if (now.fresh && now.r->untouched_left)
+    if (now.untouched && now.r->untouched_left)
         now.n[SIM_COST_row_clear] += strip->h;
-    now.fresh = 0;
+    now.untouched = 0;
     for (uint32_t i = 0; i < strip->n_bytes; i++)
         now.checksum = (now.checksum ^ strip->px[i]) * 16777619u;
     return 0;

@@ -10,7 +10,7 @@ TEXTURE='zs_shade_texture|zs_texel|fetch|texture_|light$'
 FLOAT='zs_depth_(e[345]|float)|float_|any_row|(e[345]|any)_setup'
 
 # Checks of loaded data, what finds changes, what a program's own shaders need: in no firmware that does not name them.
-CHECKS='zs_damage_compare watch_look zs_damage_track track_check track_due zs_raster_leave zs_mesh_check zs_texture_check zs_flaw_string
+CHECKS='zs_damage_compare zs_damage_track track_check track_due zs_raster_leave zs_mesh_check zs_texture_check zs_flaw_string
         zs_strip_hashes_init zs_fragments_start zs_fragments_run'
 
 # Names that each object defines: "file name" a line

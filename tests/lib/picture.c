@@ -44,7 +44,7 @@ void picture_any_way(struct prng *p, struct zs_config *c, int32_t tris, int32_t 
     c->fast = fast_any(p);
 }
 
-int watch_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns)
+int damage_compare_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns)
 {
     const int err = zs_strip_hashes_init(sums, memory, r->config.width, r->config.height, r->config.strip_h, columns);
     return err ? err : zs_damage_compare(r, sums);

@@ -25,7 +25,7 @@ struct picture {
 };
 
 /* zs_damage_compare with sums of their own, of which nothing is known: `memory` is as in zs_strip_hashes_init. */
-int watch_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns);
+int damage_compare_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns);
 
 /* Room for everything in one pass, one strip buffer, one strip, all accelerators. */
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth);

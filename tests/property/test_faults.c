@@ -87,7 +87,7 @@ static int set_up(struct chain *c, const struct panel_config *config)
     return panel_init(&c->panel, config, &c->fault.bus, c->scratch, panel_scratch_bytes(config, 240u * ROWS));
 }
 
-static void chain_open(struct chain *c, unsigned module, uint8_t buffers, int watch)
+static void chain_open(struct chain *c, unsigned module, uint8_t buffers, int compares)
 {
     const struct panel_config *config = &modules[module].config;
     memset(c, 0, sizeof *c);
@@ -102,9 +102,9 @@ static void chain_open(struct chain *c, unsigned module, uint8_t buffers, int wa
     c->config.buffers = buffers;
     c->arena = malloc(zs_arena_bytes(&c->config));
     assert_int_equal(zs_init(&c->r, &c->config, c->arena, zs_arena_bytes(&c->config)), ZS_OK);
-    if (watch) {
+    if (compares) {
         c->sum = malloc(ZS_STRIPS(c->config.height, ROWS) * COLUMNS * sizeof *c->sum);
-        assert_int_equal(watch_anew(&c->r, &c->sums, c->sum, COLUMNS), ZS_OK);
+        assert_int_equal(damage_compare_anew(&c->r, &c->sums, c->sum, COLUMNS), ZS_OK);
     }
 }
 
@@ -211,9 +211,9 @@ static void a_bus_that_stays_broken(void **state)
 static void a_panel_that_was_reset_or_is_dead(void **state)
 {
     for (unsigned m = 0; m < sizeof modules / sizeof modules[0]; m++)
-        for (int watch = 0; watch < 2; watch++) {
+        for (int compares = 0; compares < 2; compares++) {
             struct chain c;
-            chain_open(&c, m, 2, watch);
+            chain_open(&c, m, 2, compares);
             assert_int_equal(draw(&c, 0), ZS_OK);
             hal_fault_set(&c.fault, HAL_FAULT_LOST, 2, 1);
             (void)zs_invalidate(&c.r, NULL);
@@ -222,7 +222,7 @@ static void a_panel_that_was_reset_or_is_dead(void **state)
             assert_false(pm_lit(c.end.model));
             hal_fault_set(&c.fault, HAL_FAULT_DEAD, 1, 2);
             assert_int_equal(set_up(&c, &modules[m].config), HAL_ERR_TIMEOUT);
-            assert_int_equal(draw(&c, 1), watch ? ZS_OK : PANEL_ERR_STATE); /* nothing changed: nothing sent */
+            assert_int_equal(draw(&c, 1), compares ? ZS_OK : PANEL_ERR_STATE); /* nothing changed: nothing sent */
             assert_int_equal(set_up(&c, &modules[m].config), HAL_ERR_TIMEOUT);
             assert_int_equal(set_up(&c, &modules[m].config), HAL_ERR_NONE);
             assert_int_equal(zs_invalidate(&c.r, NULL), ZS_OK);
@@ -317,7 +317,7 @@ static void power_on_with_junk_in_memory(void **state)
             assert_int_equal(set_up(&c, &modules[m].config), HAL_ERR_NONE);
             assert_int_equal(zs_init(&c.r, &config, c.arena, zs_arena_bytes(&config)), ZS_OK);
             if (k % 2)
-                assert_int_equal(watch_anew(&c.r, &c.sums, c.sum, COLUMNS), ZS_OK);
+                assert_int_equal(damage_compare_anew(&c.r, &c.sums, c.sum, COLUMNS), ZS_OK);
             if (k / 2 % 2)
                 assert_int_equal(zs_damage_track(&c.r, memory, n), ZS_OK);
             for (uint32_t t = 0; t < 3; t++) {

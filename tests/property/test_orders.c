@@ -72,7 +72,7 @@ struct desk { /* a renderer, all of its memory, what has arrived, and what it sh
     uint16_t glass[W * H];
     int open; /* the scene, or -1 */
     uint32_t given;
-    int tracking, watching;
+    int tracking, comparing;
 };
 
 static uint64_t n_calls;
@@ -81,7 +81,7 @@ static int arrive(struct desk *d, const struct zs_strip *s, int k)
 {
     CASE_CHECK(s->y == d->given * ROWS && s->dirty_x + s->dirty_w <= W);
     CASE_CHECK(s->h == ROWS);
-    CASE_CHECK(d->tracking || d->watching || s->dirty_w == W);
+    CASE_CHECK(d->tracking || d->comparing || s->dirty_w == W);
     for (int j = 0; j < s->h; j++)
         for (int i = s->dirty_x; i < s->dirty_x + s->dirty_w; i++)
             d->glass[(s->y + j) * W + i] = (uint16_t)(s->px[2 * (j * W + i)] << 8 | s->px[2 * (j * W + i) + 1]);
@@ -153,10 +153,10 @@ static int call(struct desk *d, enum op op)
         d->tracking ^= !open;
         return 1;
     case WATCH:
-        if (!open && !d->watching)
+        if (!open && !d->comparing)
             CASE_CHECK(zs_strip_hashes_init(&d->sums, d->sum, W, H, d->r.config.strip_h, COLUMNS) == ZS_OK);
-        CASE_CHECK(zs_damage_compare(&d->r, d->watching ? NULL : &d->sums) == (open ? ZS_ERR_SEQUENCE : ZS_OK));
-        d->watching ^= !open;
+        CASE_CHECK(zs_damage_compare(&d->r, d->comparing ? NULL : &d->sums) == (open ? ZS_ERR_SEQUENCE : ZS_OK));
+        d->comparing ^= !open;
         return 1;
     default: return render(d, 0);
     }
@@ -192,7 +192,7 @@ static void every_order_of_calls(void **state)
          before++) { /* a new renderer, and one that has drawn with zs_damage_track and zs_damage_compare */
         memset(&d, before ? 0xa5 : 0x5a, sizeof d);
         d.open = -1;
-        d.tracking = d.watching = 0;
+        d.tracking = d.comparing = 0;
         assert_int_equal(zs_init(&d.r, &config, d.arena, sizeof d.arena), ZS_OK);
         if (before) {
             assert_true(call(&d, TRACK) && call(&d, WATCH) && render(&d, 1));

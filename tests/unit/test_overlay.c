@@ -597,7 +597,7 @@ static int change_case(uint64_t seed)
     CASE_CHECK(!zs_init(&whole, &c, arena[0], sizeof arena[0]) && !zs_init(&part, &c, arena[1], sizeof arena[1]));
     CASE_CHECK(!zs_damage_track(&part, track, 0));
     CASE_CHECK(!prng_pick(&p, 2) || !zs_damage_columns(&part, 1));
-    CASE_CHECK(!prng_pick(&p, 2) || !watch_anew(&part, &hashes, sums, 1u + prng_pick(&p, (uint32_t)w)));
+    CASE_CHECK(!prng_pick(&p, 2) || !damage_compare_anew(&part, &hashes, sums, 1u + prng_pick(&p, (uint32_t)w)));
     struct frame glass = { .w = w }, full = { .w = w };
     for (int t = 0; t < 12; t++) {
         const struct zs_sink to_glass = { .submit = glass_take, .ctx = &glass },

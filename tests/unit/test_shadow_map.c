@@ -476,7 +476,7 @@ static void errors(void **state)
     s.map.w--;
     static uint64_t sums[MAP_MAX * MAP_MAX];
     struct zs_strip_hashes hashes;
-    assert_int_equal(watch_anew(&r, &hashes, sums, 1), ZS_OK);
+    assert_int_equal(damage_compare_anew(&r, &hashes, sums, 1), ZS_OK);
     assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_SEQUENCE);
     c.depth = &zs_depth_none;
     assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);

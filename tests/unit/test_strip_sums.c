@@ -83,7 +83,7 @@ static void open_show(struct show *s, const struct demo *demo, uint16_t w, uint1
     memset(s->arena, 0xcd, bytes);
     memset(s->glass.px, 0xee, sizeof s->glass.px);
     assert_int_equal(zs_init(&s->r, &s->config, s->arena, bytes), ZS_OK);
-    assert_int_equal(watch_anew(&s->r, &s->sums, s->sum, columns), ZS_OK);
+    assert_int_equal(damage_compare_anew(&s->r, &s->sums, s->sum, columns), ZS_OK);
     s->glass.partial = 1;
 }
 
@@ -136,7 +136,7 @@ static void a_still_scene_sends_nothing(void **state)
                 assert_int_equal(draw(&s, 4), ZS_OK);
                 assert_true(s.glass.n_submits > 0);
                 glass_is_right(&s);
-                assert_int_equal(watch_anew(&s.r, &s.sums, s.sum, columns), ZS_OK); /* begins anew */
+                assert_int_equal(damage_compare_anew(&s.r, &s.sums, s.sum, columns), ZS_OK); /* begins anew */
                 assert_int_equal(draw(&s, 4), ZS_OK);
                 assert_int_equal(s.glass.n_px, s.config.width * 60);
                 close_show(&s);
@@ -274,7 +274,7 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(zs_frame_begin(&s.r, &s.frame.scene, &s.frame.camera), ZS_OK);
     assert_int_equal(zs_damage_compare(&s.r, NULL), ZS_ERR_SEQUENCE);
     assert_int_equal(zs_frame_end(&s.r), ZS_OK);
-    assert_int_equal(draw(&s, 0), ZS_OK); /* as before: still watching */
+    assert_int_equal(draw(&s, 0), ZS_OK); /* as before: still compared */
     assert_int_equal(s.glass.n_submits, 0);
     assert_int_equal(zs_damage_compare(&s.r, NULL), ZS_OK);
     assert_int_equal(draw(&s, 0), ZS_OK);

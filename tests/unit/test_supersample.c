@@ -405,7 +405,7 @@ static int damage_case(uint64_t seed)
     s.n_resolves = 1;
     const int how = (int)prng_pick(&p, 4);
     if (how != 1)
-        err = err ? err : watch_anew(&r, &hashes, sums, (uint32_t)prng_range(&p, 1, c.width));
+        err = err ? err : damage_compare_anew(&r, &hashes, sums, (uint32_t)prng_range(&p, 1, c.width));
     if (how >= 1)
         err = err ? err : zs_damage_track(&r, track, w.scene.n_instances);
     if (how >= 2)
@@ -470,7 +470,7 @@ static void cells_of_odd_width(void **state)
     glass.w = 6;
     glass.h = 1;
     assert_int_equal(renderer_make(&r, &c, &arena), ZS_OK);
-    assert_int_equal(watch_anew(&r, &hashes, sums, 4), ZS_OK);
+    assert_int_equal(damage_compare_anew(&r, &hashes, sums, 4), ZS_OK);
     assert_int_equal(zs_supersample_init(&s, &r, &sink), ZS_OK);
     for (uint32_t at = 0; at < 12; at++) {
         struct zs_background sky = { column_fill, &at };

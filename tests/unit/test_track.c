@@ -372,7 +372,7 @@ static int frames_of(uint64_t seed)
         if (told)
             assert_int_equal(zs_invalidate(&s.r, NULL), ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 10))
-            assert_int_equal(prng_pick(&p, 3) ? watch_anew(&s.r, &s.sums, s.sum, 1 + prng_pick(&p, 4))
+            assert_int_equal(prng_pick(&p, 3) ? damage_compare_anew(&s.r, &s.sums, s.sum, 1 + prng_pick(&p, 4))
                                               : zs_damage_compare(&s.r, NULL),
                              ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 20))

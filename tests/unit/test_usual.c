@@ -362,7 +362,7 @@ static void frames_end_once(void **state)
             void *arena = malloc(zs_arena_bytes(&s.config));
             struct zs_sink sink = { .submit = submit, .wait = wait, .end = end, .ctx = &panel };
             assert_int_equal(zs_init(&r, &s.config, arena, zs_arena_bytes(&s.config)), ZS_OK);
-            assert_int_equal(watch_anew(&r, &sums, memory, 1), ZS_OK);
+            assert_int_equal(damage_compare_anew(&r, &sums, memory, 1), ZS_OK);
             panel_ready(&panel);
             if (at >= 1 && at <= 3)
                 panel.fail_submit = nth[at - 1];

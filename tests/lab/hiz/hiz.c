@@ -85,9 +85,9 @@ static int pixels(double written[LAYERS][N_WAYS])
 {
     int wrong = 0;
     printf("Pixels in thousands, %dx%d, strips of %d rows. tiles: with the scene's accelerators; vertex, corner,\n"
-           "hiz: the method with the nearest vertex, the tile's corners, every pixel against the tile. fresh: the\n"
+           "hiz: the method with the nearest vertex, the tile's corners, every pixel against the tile. untouched: the\n"
            "first in a tile that a triangle covers. hidden: set-ups saved.\n\n", W, H, ROWS);
-    printf("%-13s %-9s %9s %9s %9s %9s %9s %9s %7s\n", "scene", "way", "walked", "skipped", "fresh", "compared",
+    printf("%-13s %-9s %9s %9s %9s %9s %9s %9s %7s\n", "scene", "way", "walked", "skipped", "untouched", "compared",
            "written", "tiles", "hidden");
     for (int k = 0; k < N_SCENES; k++) {
         struct study plain = drawn(scenes[k], &ways[0]);

@@ -257,15 +257,15 @@ static double error_of(const struct scene_of *s, int k, int32_t x, int32_t y, ui
 }
 
 /* Every pixel: the colour of one that covers it, its key, and none that is nearer; or what was there, or cleared. */
-static int strip_right(const struct scene_of *s, int fresh)
+static int strip_right(const struct scene_of *s, int untouched)
 {
     int good = 1;
     for (int32_t y = 0; y < rows; y++)
         for (int32_t x = 0; x < width; x++) {
             const int32_t at = y * width + x, of = (int32_t)r.color[0][at] - 1;
-            const uint16_t key = r.depth[at], was = fresh ? ZS_DEPTH_CLEAR : old[at];
+            const uint16_t key = r.depth[at], was = untouched ? ZS_DEPTH_CLEAR : old[at];
             if (of < 0 || of >= s->n)
-                good &= key == was && r.color[0][at] == (fresh ? zs_wire16(BACKGROUND) : 0);
+                good &= key == was && r.color[0][at] == (untouched ? zs_wire16(BACKGROUND) : 0);
             else
                 good &= key < was && oracle_covers(&s->t[of], x, y0 + y) &&
                         fabs(error_of(s, of, x, y0 + y, key)) <= BOUND;
@@ -362,7 +362,7 @@ static void float_any(uint64_t count)
     tell("float", n[1], good && n[1] > count / 10, "other triangles drawn across octaves: the same");
 }
 
-static void fresh_any(uint64_t count)
+static void first_touch_any(uint64_t count)
 {
     int good = 1;
     uint64_t n = 0;
@@ -385,7 +385,7 @@ static void fresh_any(uint64_t count)
         good &= strip_right(&s, 1);
         end_strip();
     }
-    tell("fresh", n, good && n > count / 5,
+    tell("first_touch", n, good && n > count / 5,
          "strips of up to 3 triangles drawn without a clear: each pixel as exact arithmetic has it, or cleared");
 }
 
@@ -436,7 +436,7 @@ static int one_row(int32_t x0, int32_t x1, int32_t i0, int32_t i1)
     return good;
 }
 
-static void fresh_rows(void)
+static void first_touch_rows(void)
 {
     int good = 1;
     uint64_t n = 0;
@@ -450,7 +450,7 @@ static void fresh_rows(void)
                         good &= one_row(x0, x1, i0, i1);
         end_strip();
     }
-    tell("fresh_rows", n, good,
+    tell("first_touch_rows", n, good,
          "ranges drawn and spans, all of rows of 1 .. 12, 16 and 20 pixels: what is drawn, cleared and left alone");
 }
 
@@ -459,6 +459,6 @@ void facts_drawn(uint64_t count)
     small_any(count / 2);
     small_grid();
     float_any(count / 8);
-    fresh_any(count / 8);
-    fresh_rows();
+    first_touch_any(count / 8);
+    first_touch_rows();
 }

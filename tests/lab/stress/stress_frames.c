@@ -522,7 +522,7 @@ static int same(const struct glass *b, const struct hand *hand, int frame)
         if (a->color[i] != b->color[i] || a->key[i] != b->key[i])
             return stress_wrong(
                 "frame %d: (%d, %d) of %dx%d is colour %04x key %u, not %04x %u; strips of %u, "
-                "%u triangles, %u vertices, %u buffers, accelerators %#x, watch %d, track %d %d, sharing %d",
+                "%u triangles, %u vertices, %u buffers, accelerators %#x, compare %d, track %d %d, sharing %d",
                 frame, i % a->w, i / a->w, a->w, a->h, a->color[i], a->key[i], b->color[i], b->key[i], c->strip_h,
                 c->max_tris, c->max_verts, c->buffers, hand->fasts, hand->sum != NULL, hand->track != NULL,
                 hand->columns, hand->sharing);

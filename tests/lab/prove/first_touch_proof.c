@@ -95,9 +95,9 @@ static void every_row(void)
                     row_of((x0 + i1) % ROWS, x0, x1, i0, i1);
 }
 
-/* PROVE fresh_row_of -eva-min-loop-unroll=80: a row of 5 columns, every range of them drawn, none too, every span:
- * the gap between is cleared, by a colour or by a sky, nothing else; the range, and how many are untouched */
-void fresh_row_of(void)
+/* PROVE first_touch_row_of -eva-min-loop-unroll=80: a row of 5 columns, every range of them drawn, none too, every
+ * span: the gap between is cleared, by a colour or by a sky, nothing else; the range, and how many are untouched */
+void first_touch_row_of(void)
 {
     every_row();
     skies = 1;
@@ -129,10 +129,10 @@ static void drawn_part(struct zs_job *j, const struct zs_row *row, int32_t from,
     a_part(j, from, to, 0);
 }
 
-/* PROVE fresh_parts -eva-min-loop-unroll=80: rows of 6 columns, every range that was drawn, every first pixel of a
- * piece and every end behind it: each pixel is in one part, from left to right, tested where it was drawn on and else
+/* PROVE first_touch_parts -eva-min-loop-unroll=80: rows of 6 columns, every range that was drawn, every first pixel of
+ * a piece and every end behind it: each pixel is in one part, from left to right, tested where it was drawn on and else
  * not, with its own key */
-void fresh_parts(void)
+void first_touch_parts(void)
 {
     strip(6);
     shader.run = drawn_part;
@@ -246,9 +246,9 @@ void window_ends(void)
     every_end();
 }
 
-/* PROVE fresh_pieces -eva-min-loop-unroll=80: pieces of 1 .. 20 pixels at four places and at the row's end, any
+/* PROVE first_touch_pieces -eva-min-loop-unroll=80: pieces of 1 .. 20 pixels at four places and at the row's end, any
  * keys, held or not: nothing beside them is written; a run of all of it */
-void fresh_pieces(void)
+void first_touch_pieces(void)
 {
     for (int saturates = 0; saturates < 2; saturates++)
         for (int32_t n = 1; n <= 20; n++) {
@@ -258,9 +258,9 @@ void fresh_pieces(void)
         }
 }
 
-/* PROVE fresh_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which one row has any range drawn,
+/* PROVE first_touch_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which one row has any range drawn,
  * the others none or all, and strips of which all is untouched or none: what is not drawn is cleared, the rest stays */
-void fresh_ends(void)
+void first_touch_ends(void)
 {
     for (int32_t x0 = 0; x0 <= WIDTH; x0++)
         for (int32_t x1 = x0; x1 <= WIDTH; x1++)
