@@ -639,7 +639,7 @@ static void do_skip(struct desk *d)
 }
 
 /* Junk in the caller's memory; sometimes off again. */
-static void do_watch(struct desk *d, struct prng *p)
+static void do_compare(struct desk *d, struct prng *p)
 {
     const int open = !d->ready || d->open != CLOSED;
     const uint32_t n = open ? 1 : ZS_STRIPS(d->config.height, d->config.strip_h), w = open ? 9 : d->config.width;
@@ -830,7 +830,7 @@ static void case_calls(struct prng *p, uint32_t odd)
         else if (op < 12)
             do_skip(d);
         else if (op < 14)
-            do_watch(d, p);
+            do_compare(d, p);
         else if (op < 17)
             do_track(&m, d, p);
         else if (op < 20)
