@@ -21,13 +21,15 @@ parts=tests/parts.txt
 . tests/lib/tally.sh
 WERROR=-Werror # what parts compile by make
 export WERROR
-# Many parts compile the same source for a Cortex-M with the same options: once, where ccache is installed. Of other
-# compilers no object is made twice. The cache is of this build folder. Headers are those that the compiler names
+# Many parts compile the same source for a Cortex-M or RISC-V with the same options: once, where ccache is installed. Of
+# other compilers no object is made twice. The cache is of this build folder. Headers are those that the compiler names
 # (-MMD), without running the preprocessor by itself; where a copy of the repository lies does not matter.
 ccache=$(command -v ccache)
 if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
     CCACHE_DIR=$(cd "$build/ccache" && pwd)
-    ln -sf "$ccache" "$CCACHE_DIR/bin/arm-none-eabi-gcc"
+    for compiler in arm-none-eabi-gcc riscv64-unknown-elf-gcc; do
+        ln -sf "$ccache" "$CCACHE_DIR/bin/$compiler"
+    done
     PATH=$CCACHE_DIR/bin:$PATH
     CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1
     export PATH CCACHE_DIR CCACHE_DEPEND CCACHE_NOHASHDIR

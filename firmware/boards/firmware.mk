@@ -96,9 +96,12 @@ CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) $(if $(METH
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\
                     $(wildcard firmware/zstrip/*/*.c))
 PANELS = $(if $(shell grep -lE '[<"]panel\.h[>"]' $(NAMING)),$(wildcard hal/panel/*.c))
-COMMON = $(PANELS) $(CORE) $(wildcard firmware/scenes/*.c $(B)/gen/*.c)
+# CORE_OBJ=DIR: the renderer as objects that lie there, made by tests/lib/checksum_program.sh with DEFINES
+CORE_OBJ =
+COMMON = $(PANELS) $(if $(CORE_OBJ),,$(CORE)) $(wildcard firmware/scenes/*.c $(B)/gen/*.c)
 SRC = $(wildcard hal/$(BOARD_HAL)/*.c) $(BOARD_SRC) $(COMMON)
-OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))
+OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC)) \
+      $(if $(CORE_OBJ),$(foreach c,$(CORE:.c=.o),$(CORE_OBJ)/$(subst /,-,$c)))
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra $(WERROR) -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \

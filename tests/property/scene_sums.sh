@@ -29,6 +29,14 @@ SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')
 
 # ---- One column ------------------------------------------------------------------------------------------------
 
+# The renderer's objects of a checksum program (tests.mk), where it is there and no source is newer: a second compile by
+# the same compiler at the same level would say nothing new
+core_of() { # CHECKSUM-PROGRAM
+    program=$build/test/checksum-$1
+    [ -x "$program" ] && [ -z "$(find firmware/zstrip -name '*.[ch]' -newer "$program" | head -1)" ] || return 0
+    with="$with CORE_OBJ=$program.o DEFINES=-DZS_VARYINGS_MAX=8"
+}
+
 # Where a column is drawn: its board, what make is told besides, what memory the program takes
 column_is() { # COLUMN
     with= cpu= emulator=
@@ -36,10 +44,12 @@ column_is() { # COLUMN
     gcc_* | clang_*)
         # clang's -Wconversion asks for more than gcc's
         board=host memory=
-        with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion DEBUG=" ;;
+        with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion DEBUG="
+        core_of "${1%_*}-${1#*_}" ;;
     ppc) # a program for Linux
         board=host memory= emulator=qemu-ppc-static
-        with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1 DEBUG=" ;;
+        with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1 DEBUG="
+        core_of powerpc-O2 ;;
     bare_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1 DEBUG=" ;;
     bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10752' with=LEAN=1 ;;
     bare_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
