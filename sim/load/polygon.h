@@ -9,7 +9,8 @@
 
 /* Cut a polygon of n >= 3 corners into n - 2 triangles, out[n - 2], numbers of corners, in the polygon's order.
  *
- * point   its corners, in order. They may repeat, as where a hole is joined to the outline, and need not lie in a plane.
+ * point   its corners, in order. They may repeat, as where a hole is joined to the outline, and need not lie in a
+ *         plane.
  * A convex polygon becomes a fan from its first corner. Any other one is cut ear by ear on the plane of its area. One
  * that crosses itself gets triangles too, but not all of them are inside.
  * Cost    n times the number of corners that turn inwards.

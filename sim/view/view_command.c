@@ -42,7 +42,8 @@ static void print_help(const struct sim_option *rows, size_t n)
     struct sim_option *here = sim_alloc(n + 1, sizeof *here);
     size_t kept = 0;
     here[kept++] = (struct sim_option){ "--scene", SIM_OPTION_TEXT,
-                                        .help = "a demo scene in place of a model, or a scene's own file; zsim demo --help lists scenes" };
+                                        .help = "a demo scene in place of a model, or a scene's own file; "
+                                                "zsim demo --help lists scenes" };
     for (size_t i = 0; i < n; i++)
         if (is_here(rows[i].name)) {
             here[kept] = rows[i];

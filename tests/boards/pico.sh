@@ -153,13 +153,14 @@ table_2_row() { # SCENE
         "$(field "$a" stack_used)" "$(field "$a" stack_1_used)"
 }
 table_foot() {
-    echo "Emulated (rp2040js): no bus contention, so that cycles are a lower bound; draw cycles and the first fps are of a"
-    echo "flash without wait states. +$GAP ns: with that pause after each 16-bit word, as real chips make in SPI mode 0."
-    echo "+flash: with pauses and a flash that takes $(node "$out/cache.mjs" cycles) cycles for each word that its cache lacks; misses: of these, in"
-    echo "drawing a frame. strip us: drawing the dearest strip, without those waits; its wire: a strip of pixels on the wire."
-    echo "hidden: the share of drawing (core 0's) that went on while the wire was busy. late: frames that took longer than the"
-    echo "scene's step. gain: fps by those of one core. Two cores: what they wait for each other at a bank of RAM or at the"
-    echo "flash is not counted."
+    miss=$(node "$out/cache.mjs" cycles)
+    echo "Emulated (rp2040js): no bus contention, so that cycles are a lower bound; draw cycles and the first fps"
+    echo "are of a flash without wait states. +$GAP ns: with that pause after each 16-bit word, as real chips make"
+    echo "in SPI mode 0. +flash: with pauses and a flash that takes $miss cycles for each word that its cache"
+    echo "lacks; misses: of these, in drawing a frame. strip us: drawing the dearest strip, without those waits;"
+    echo "its wire: a strip of pixels on the wire. hidden: the share of drawing (core 0's) that went on while the"
+    echo "wire was busy. late: frames that took longer than the scene's step. gain: fps by those of one core. Two"
+    echo "cores: what they wait for each other at a bank of RAM or at the flash is not counted."
 }
 
 # ---- Tests -------------------------------------------------------------------------------------------------

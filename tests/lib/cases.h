@@ -47,7 +47,8 @@ void cases_test(void **state); /* *state: a struct cases */
 #define CASES_COUNTS(name_, fn_, n_, ...) \
     { .name = #name_, \
       .test_func = cases_test, \
-      .initial_state = &(struct cases){ #name_, fn_, n_, (const struct cases_count[]){ __VA_ARGS__, { NULL, NULL, 0 } } } }
+      .initial_state = &(struct cases){ #name_, fn_, n_, \
+                                        (const struct cases_count[]){ __VA_ARGS__, { NULL, NULL, 0 } } } }
 
 /* Say what is wrong; always 0, to be returned. */
 int case_wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));

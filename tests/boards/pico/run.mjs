@@ -28,7 +28,8 @@ const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000, HEIGHT = 240; // HEIGHT: of a picture of two cores
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, xip: 0, hold: '', tail: 0, head: 0, refuse: -1, stream: '', until: '', second: '',
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, xip: 0, hold: '', tail: 0, head: 0, refuse: -1, stream: '',
+        until: '', second: '',
         stop: '', fault: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
@@ -48,7 +49,8 @@ const channel = pico.chip.dma.channels[0];
 const frames = []; // what was known when each was on the glass
 let strips = 0, armed = false, ending = false, draw = 0, draw_1 = 0, hidden = 0, in_flash = 0;
 let misses = 0;                                  // of the flash's cache, while drawing
-let strip_from = 0, worst = 0, worst_strip = 0;  // drawing cycles up to the strip in hand; of the dearest strip, and its number
+// drawing cycles up to the strip in hand; of the dearest strip, and its number
+let strip_from = 0, worst = 0, worst_strip = 0;
 let strips_most = 0;
 
 if (!o.until) {
