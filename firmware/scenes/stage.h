@@ -35,6 +35,18 @@ struct zs_pose *stage_put(struct demo_frame *f, const struct zs_mesh *mesh,
 void stage_lens(struct demo_frame *f, zs_turn fov, uint16_t w, uint16_t h, int32_t z_near,
                 int32_t z_far);
 
+/* A program that shows scenes from other sides defines STAGE_ORBIT and this function: where a piece's camera has been
+ * placed, and before all that depends on it, it is turned about a point so many units in front of it; 0: on the spot. */
+#ifdef STAGE_ORBIT
+void stage_orbit(struct zs_camera *camera, int32_t distance);
+#else
+static inline void stage_orbit(struct zs_camera *camera, int32_t distance)
+{
+    (void)camera;
+    (void)distance;
+}
+#endif
+
 /* The angle of frame t of n, turned a whole number of times, so that the animation closes. */
 zs_turn stage_turn(uint32_t t, uint32_t n, uint32_t times);
 

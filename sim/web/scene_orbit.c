@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "engine.h"
+#include "stage.h"
 #include "vec.h"
 
 #define Q30 1073741824.0
@@ -22,23 +23,13 @@ static double middle(const struct demo_frame *at, const double back[3])
     return fmin(fmax(z, 2.0 * lo), hi);
 }
 
-void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by)
+/* What is z units in front of the camera, toward -back, stays there; its own axes are the rows of rot. */
+static void orbit(struct zs_camera *camera, double row[3][3], double z, const struct web_orbit *by)
 {
     static const double up[3] = { 0.0, 1.0, 0.0 };
-    struct zs_camera *camera = &at->camera;
-    double row[3][3], offset[3];
-    if (by->yaw == 0.0 && by->pitch == 0.0 && by->distance == 1.0)
-        return;
-    for (int i = 0; i < 9; i++)
-        row[i / 3][i % 3] = (double)camera->rot[i] / Q30;
-    if (camera->rot[0] == 0 && camera->rot[4] == 0 && camera->rot[8] == 0 && camera->rot[2] == 0)
-        row[0][0] = row[1][1] = row[2][2] = 1.0; /* no rotation */
-    const double z = middle(at, row[2]);
-    for (int k = 0; k < 3; k++)
-        offset[k] = row[2][k] * z;
     double eye[3];
     for (int k = 0; k < 3; k++)
-        eye[k] = (double)camera->pos[k] - offset[k];
+        eye[k] = (double)camera->pos[k] - row[2][k] * z;
     for (int i = 0; i < 3; i++)
         sim_turned(row[i], row[i], up, by->yaw);
     sim_turned(row[1], row[1], row[0], -by->pitch);
@@ -49,6 +40,38 @@ void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by)
         camera->rot[i] = (int32_t)lround(row[i / 3][i % 3] * Q30);
     if (by->distance > 1.0)
         camera->z_far += (int64_t)(z * (by->distance - 1.0) * 65536.0);
-    else
+    else if (z > 0.0)
         camera->z_near = (int64_t)((double)camera->z_near * by->distance);
+}
+
+static int is_home(const struct web_orbit *by)
+{
+    return by->yaw == 0.0 && by->pitch == 0.0 && by->distance == 1.0;
+}
+
+static void rows_of(double row[3][3], const struct zs_camera *camera)
+{
+    for (int i = 0; i < 9; i++)
+        row[i / 3][i % 3] = (double)camera->rot[i] / Q30;
+    if (camera->rot[0] == 0 && camera->rot[4] == 0 && camera->rot[8] == 0 && camera->rot[2] == 0)
+        row[0][0] = row[1][1] = row[2][2] = 1.0; /* no rotation */
+}
+
+void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by)
+{
+    double row[3][3];
+    if (is_home(by))
+        return;
+    rows_of(row, &at->camera);
+    orbit(&at->camera, row, middle(at, row[2]), by);
+}
+
+/* Of a showpiece, from where its own camera is placed. */
+void stage_orbit(struct zs_camera *camera, int32_t distance)
+{
+    double row[3][3];
+    if (is_home(&web.orbit))
+        return;
+    rows_of(row, camera);
+    orbit(camera, row, (double)distance, &web.orbit);
 }

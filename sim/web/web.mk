@@ -18,7 +18,7 @@ MESHOPT = $(B)/web/meshoptimizer/source/src
 MESHOPT_O = $(patsubst %,$(B)/web/meshopt_%.o,allocator clusterizer indexgenerator simplifier vcacheanalyzer \
               vfetchoptimizer)
 WEB_CC = clang --target=wasm32-wasi -std=gnu11 -O3 -DNDEBUG $(INC) -Isim/web/include -Isim/web -I$(MESHOPT) \
-         -include web_system.h -DZS_STATS=1 -DZS_VARYINGS_MAX=8
+         -include web_system.h -DSTAGE_ORBIT=1 -DZS_STATS=1 -DZS_VARYINGS_MAX=8
 WEB_NOTE := $(call note,$(B)/web/cc,$(WEB_CC))
 WEB_O = $(patsubst %.c,$(B)/web/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) \
               $(filter-out sim/frame/moving_%,$(WEB_SIM)))

@@ -113,6 +113,23 @@ await test('web_turns', async () => {
     same(await p.value(SUM), before, 'after 0');
 });
 
+await test('web_effects_turn', async () => {
+    const taken = async (what) => {
+        const from = await count(p);
+        await what();
+        await settled(p, from);
+        return p.value(SUM);
+    };
+    for (const scene of ['stilllife', 'cockpit', 'forest']) {
+        const before = await taken(() => p.value(`document.querySelector('[data-scene=${scene}]').click()`));
+        await p.value('document.getElementById("glass").focus()');
+        for (const key of ['ArrowRight', 'ArrowUp'])
+            must((await taken(() => p.key(key))) !== before, `${scene}: ${key} does not turn it`);
+        same(await taken(() => p.value('document.getElementById("home").click()')), before, `${scene}, put back`);
+    }
+    await taken(() => p.value('document.querySelector("[data-scene=teapot]").click()'));
+});
+
 await test('web_rate', async () => {
     const ms = await p.value(`(async () => { const t = document.getElementById('turn'); t.click();
         const frames = [], root = document.documentElement;

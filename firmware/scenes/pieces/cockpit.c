@@ -312,6 +312,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     const int32_t dir[3] = { a.slip, a.climb, -4096 };
     const int32_t up[3] = { stage_sin(4096, a.bank), stage_cos(4096, a.bank), 0 };
     (void)zs_camera_look_along(&f->camera, a.pos, dir, up);
+    stage_orbit(&f->camera, 0);
     ahead = f->camera;
     put_ahead(f);
     put_behind();

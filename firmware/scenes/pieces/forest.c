@@ -144,6 +144,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     stage_light(f, 5, 6, -3, 52, 60);
     stage_lens(f, ZS_DEGREES(54), w, h, NEAR, FAR);
     (void)zs_camera_look_at(&f->camera, eye, at, up);
+    stage_orbit(&f->camera, 0);
     things = 0;
     put_trees(&f->camera);
     if (!larch_texture.format)

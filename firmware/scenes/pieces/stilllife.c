@@ -247,6 +247,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     stage_lens(f, ZS_DEGREES(36), w, h, 3000, 16000);
     zs_camera_orbit(&f->camera, middle, DISTANCE, (zs_turn)stage_sin(2600, turn),
                     (int16_t)(ZS_DEGREES(13) + stage_cos(500, turn)));
+    stage_orbit(&f->camera, DISTANCE);
     look(&f->camera);
     f->scene.instance = thing;
     f->scene.n_instances = THINGS;
