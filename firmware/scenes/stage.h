@@ -36,7 +36,7 @@ void stage_lens(struct demo_frame *f, zs_turn fov, uint16_t w, uint16_t h, int32
                 int32_t z_far);
 
 /* A program that shows scenes from other sides defines STAGE_ORBIT and this function: where a piece's camera has been
- * placed, and before all that depends on it, it is turned about a point so many units in front of it; 0: on the spot. */
+ * placed, before all that depends on it, it is turned about a point so many units in front of it; 0: on the spot. */
 #ifdef STAGE_ORBIT
 void stage_orbit(struct zs_camera *camera, int32_t distance);
 #else

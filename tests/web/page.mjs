@@ -5,7 +5,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-import { readFileSync, statSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser } from './browser.mjs';
 import { readPng } from './png.mjs';
@@ -294,6 +294,21 @@ await test('web_time_against_error', async () => {
     const back = await count(p);
     await p.value('document.querySelector("[data-view=frame]").click()');
     await settled(p, back);
+});
+
+/* Each broken model gives the sentence that zsim gives, and the picture stays. */
+await test('web_bad_sentences', async () => {
+    const before = await p.value(SUM),
+        all = readdirSync(join(folder, 'bad')).filter((n) => !n.endsWith('.txt'));
+    for (const name of all) {
+        await take(p, join('bad', name));
+        const said = readFileSync(join(folder, 'bad', `${name}.txt`), 'utf8').trim();
+        same(await p.value(text('error')), said, name);
+    }
+    same(await p.value(SUM), before, 'the last good picture');
+    await take(p, 'held.obj', 'held.mtl');
+    must(all.length > 12, `${all.length} models`);
+    return `${all.length} models`;
 });
 
 await test('web_quiet', () => {

@@ -41,6 +41,30 @@ for model in held.obj ring.obj ring.stl ring.ply ring.glb sparse.glb; do
     "$build/zsim" render "$work/$model" --panel st7789:240x240 --out "$work/$model.png" 2>"$work/zsim.log" ||
         bad "web_zsim_$model" "zsim render: $(head -c 300 "$work/zsim.log")"
 done
+# Models that nothing can be made of; beside each what zsim says
+broken=$work/bad
+mkdir -p "$broken"
+: >"$broken/empty.obj"
+printf 'hello\n' >"$broken/words.obj"
+printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n' >"$broken/nan.obj"
+printf 'v 0 0 0\nv 1 0 0\nv one 1 0\nf 1 2 3\n' >"$broken/one.obj"
+printf 'v 0 0 0\nv 1 0 0\nf 1 2\n' >"$broken/two.obj"
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >"$broken/line.obj"
+head -c 300 "$work/ring.stl" >"$broken/cut.stl"
+head -c 50 "$work/ring.stl" >"$broken/head.stl"
+printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n' >"$broken/text.stl"
+head -c 700 "$work/ring.ply" >"$broken/cut.ply"
+ply='ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n'
+ply="${ply}property list uchar int vertex_indices\nend_header\n0 0 0\n%b\n0 1 0\n%b\n"
+# shellcheck disable=SC2059 # the format is above
+for row in 'index|1 0 0|3 0 1 7' 'nan|1 nan 0|3 0 1 2' 'two|1 0 0|2 0 1' 'word|1 0 0|3 0 x 1' 'short|1 0|3 0 1 2'; do
+    values=${row#*|}
+    printf "$ply" "${values%|*}" "${values#*|}" >"$broken/${row%%|*}.ply"
+done
+for model in "$broken"/*.obj "$broken"/*.stl "$broken"/*.ply; do
+    "$build/zsim" render "$model" --out "$work/none.png" 2>"$work/zsim.log" && bad web_zsim "$model is drawn"
+    tail -n 1 "$work/zsim.log" | sed "s|^zsim: $broken/||" >"$model.txt"
+done
 page=$(cd "$build/web" && pwd)/index.html
 node tests/web/page.mjs "$page" "$(cd "$work" && pwd)" || failed=1
 exit $failed

@@ -62,8 +62,11 @@ export function readObj(name, text, other = () => null) {
         throw new BadModel(name, line + 1, why);
     };
     const number = (word, line) => {
-        const v = word === undefined || word === '' ? NaN : Number(word);
-        if (!Number.isFinite(v)) fail(line, `'${word}' is not a number`);
+        const v = word === undefined || word === '' ? NaN : Number(word),
+            shown = String(word).slice(0, 32);
+        if (/^[+-]?(nan|inf(inity)?)$/i.test(word) || Math.abs(v) === Infinity)
+            fail(line, `'${shown}' is not a finite number; export the model again without it`);
+        if (Number.isNaN(v)) fail(line, `'${shown}' is not a number`);
         return v;
     };
     const take = (word, n, what, line) => {

@@ -49,84 +49,116 @@ function readHeader(name, bytes) {
     return header;
 }
 
-/* A function that gives the next value of a type, and throws where the file ends. */
-function valuesOf(name, bytes, header) {
-    if (header.format === 'ascii') {
-        const words = new TextDecoder()
-            .decode(bytes.subarray(header.start))
-            .split(/\s+/)
-            .filter((w) => w !== '');
-        let at = 0;
-        return (type) => {
-            if (at === words.length)
-                throw new BadModel(name, 0, 'cut off: numbers are missing at its end; get the whole file');
-            const v = Number(words[at++]);
-            if (!Number.isFinite(v)) throw new BadModel(name, 0, `'${words[at - 1].slice(0, 20)}' is not a number`);
-            return type[0] === 'getFloat32' ? Math.fround(v) : v;
-        };
+/* Values of the body, one after the other. Text has a record a line, and its errors a line's number. */
+class Body {
+    constructor(name, bytes, header) {
+        this.name = name;
+        this.ascii = header.format === 'ascii';
+        this.line = this.ascii ? header.lines + 1 : 0;
+        this.little = header.format === 'binary_little_endian';
+        this.at = this.ascii ? 0 : header.start;
+        if (this.ascii) this.text = new TextDecoder('latin1').decode(bytes.subarray(header.start));
+        else this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+        this.skip(false);
     }
-    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    const little = header.format === 'binary_little_endian';
-    let at = header.start;
-    return (type) => {
-        if (at + type[1] > bytes.length)
-            throw new BadModel(name, 0, 'cut off: bytes are missing at its end; get the whole file');
-        const v = view[type[0]](at, little);
-        at += type[1];
-        return v;
-    };
+
+    fail(why, line = this.line) {
+        throw new BadModel(this.name, line, why);
+    }
+
+    cutOff(element, i) {
+        this.fail(`cut off: it ends in ${element.name} ${i + 1} of ${element.count}; get the whole file`);
+    }
+
+    /* Text: what is left of a record's line, and empty lines before the next one. */
+    skip(rest) {
+        if (!this.ascii) return;
+        while (rest && this.at < this.text.length && this.text[this.at] !== '\n') this.at++;
+        for (; this.at < this.text.length && ' \t\r\n'.includes(this.text[this.at]); this.at++)
+            if (this.text[this.at] === '\n') this.line++;
+    }
+
+    next(type, element, i) {
+        if (!this.ascii) {
+            if (this.at + type[1] > this.view.byteLength) this.cutOff(element, i);
+            this.at += type[1];
+            return this.view[type[0]](this.at - type[1], this.little);
+        }
+        const word = /[ \t]*([^ \t\r\n]*)/y;
+        word.lastIndex = this.at;
+        const found = word.exec(this.text)[1];
+        this.at = word.lastIndex;
+        if (found === '') this.cutOff(element, i);
+        const infinite = /^[+-]?(nan|inf(inity)?)$/i.test(found),
+            v = Number(found);
+        if (Number.isNaN(v) && !infinite) this.fail(`${element.name} ${i + 1} holds something that is not a number`);
+        return type[0] === 'getFloat32' ? Math.fround(v) : v;
+    }
 }
 
 /** Read a PLY. @param {string} name @param {Uint8Array} bytes @return what engine.setModel takes */
 export function readPly(name, bytes) {
     const header = readHeader(name, bytes),
-        next = valuesOf(name, bytes, header),
-        corners = new Corners();
-    const rows = [];
+        corners = new Corners(),
+        rows = [];
+    const countOf = (what) => (header.elements.find((e) => e.name === what) || { count: 0 }).count;
+    if (!(countOf('face') > 0)) throw new BadModel(name, 0, 'no faces in it; zsim draws polygons');
+    const body = new Body(name, bytes, header);
     let known = null;
     for (const element of header.elements) {
         if (!(element.count >= 0 && element.count < 2 ** 31))
             throw new BadModel(name, 0, `element ${element.name} has no count that makes sense`);
         for (let i = 0; i < element.count; i++) {
-            const row = {};
-            for (const p of element.properties) {
-                if (!p.length) {
-                    row[p.name] = next(p.type);
-                    continue;
-                }
-                const n = next(p.length);
-                if (!(n >= 0 && n < 65536)) throw new BadModel(name, 0, `${element.name} ${i + 1} is a list of ${n}`);
-                row[p.name] = Array.from({ length: n }, () => next(p.type));
-            }
+            const row = readRow(body, element, i, countOf('vertex'));
+            body.skip(true);
             if (element.name === 'vertex') {
                 known ||= new Map(element.properties.map((p) => [p.name, p]));
                 rows.push(row);
             } else if (element.name === 'face') {
                 const list = row.vertex_indices || row.vertex_index || [];
-                if (list.length < 3)
-                    throw new BadModel(name, 0, `face ${i + 1} has ${list.length} vertices; it needs at least 3`);
-                const bad = list.find((v) => !(v >= 0 && v < rows.length));
-                if (bad !== undefined)
-                    throw new BadModel(
-                        name,
-                        0,
-                        `face ${i + 1} names vertex ${bad}; there are ${rows.length}, from 0`,
-                    );
+                if (list.length < 3 || list.some((v) => v >= rows.length))
+                    body.fail(`face ${i + 1} stands before its vertices; export the model again`, 0);
                 corners.polygon(
-                    list.map((v) => vertexOf(corners, rows, v, known, name)),
+                    list.map((v) => vertexOf(corners, rows, v, known)),
                     0,
                 );
             }
         }
     }
-    if (corners.indices.length === 0) throw new BadModel(name, 0, 'no faces in it; zsim draws polygons');
     return corners.model(name);
 }
 
-function vertexOf(corners, rows, v, known, name) {
+function readRow(body, element, i, vertices) {
+    const row = {},
+        { line } = body;
+    for (const p of element.properties) {
+        if (!p.length) {
+            const v = (row[p.name] = body.next(p.type, element, i));
+            if (element.name === 'vertex' && /^[xyz]$/.test(p.name) && !Number.isFinite(v))
+                body.fail(`vertex ${i + 1} has a coordinate that is not finite; export the model again`);
+            continue;
+        }
+        const n = body.next(p.length, element, i),
+            isFace = element.name === 'face' && p.name.startsWith('vertex_ind');
+        if (!(n >= 0 && n <= 1e9 && Number.isInteger(n))) body.fail(`${element.name} ${i + 1} is a list of ${n}`, line);
+        if (isFace && n < 3) body.fail(`face ${i + 1} has ${n} vertices; it needs at least 3`, line);
+        const list = (row[p.name] = []);
+        for (let k = 0; k < n; k++) {
+            const v = body.next(p.type, element, i);
+            if (isFace && !(v >= 0 && v < vertices && Number.isInteger(v)))
+                body.fail(
+                    `vertex index ${v} of face ${i + 1} is out of range: 0 to ${vertices - 1} exist`,
+                    line,
+                );
+            list.push(v);
+        }
+    }
+    return row;
+}
+
+function vertexOf(corners, rows, v, known) {
     const row = rows[v],
         p = [row.x, row.y, row.z];
-    if (!p.every(Number.isFinite)) throw new BadModel(name, 0, `vertex ${v + 1} has a coordinate that is not finite`);
     const scale = known.has('red') && /char|int8/.test(known.get('red').kind) ? 255 : 1;
     const u = row.s ?? row.u ?? row.texture_u,
         w = row.t ?? row.v ?? row.texture_v;

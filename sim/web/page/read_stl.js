@@ -14,8 +14,13 @@ function isBinary(bytes) {
 function readBinary(name, bytes, corners) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const n = view.getUint32(80, true),
-        there = Math.floor((bytes.length - 84) / 50);
-    if (n > there) throw new BadModel(name, 0, `cut off: ${there} of its ${n} faces are there; get the whole file`);
+        takes = 84 + 50 * n;
+    if (takes > bytes.length)
+        throw new BadModel(
+            name,
+            0,
+            `cut off: ${n} faces take ${takes} bytes, it has ${bytes.length}; get the whole file`,
+        );
     for (let t = 0; t < n; t++) {
         const face = [];
         for (let k = 0; k < 3; k++) {
@@ -61,7 +66,7 @@ function readText(name, text, corners) {
 /** Read an STL. @param {string} name @param {Uint8Array} bytes @return what engine.setModel takes */
 export function readStl(name, bytes) {
     const corners = new Corners();
-    if (bytes.length < 15)
+    if (bytes.length < 84 && !/^\s*solid/.test(String.fromCharCode(...bytes)))
         throw new BadModel(name, 0, `cut off: ${bytes.length} bytes are no STL file; get the whole file`);
     if (isBinary(bytes)) readBinary(name, bytes, corners);
     else readText(name, new TextDecoder().decode(bytes), corners);
