@@ -51,6 +51,25 @@ static void add(struct zs_stats *sum, const struct zs_stats *s)
 static struct zs_stats worlds;
 static unsigned drawn;
 
+/* The frame without a method, and three ways to draw it by one: alike, or refused alike. sum: of what was drawn. */
+static int three_ways(struct prng *p, struct zs_config *c, const struct zs_scene *scene,
+                      const struct zs_camera *camera, struct zs_stats *sum, const char *name)
+{
+    struct picture want = picture_draw(c, scene, camera);
+    int right = 1;
+    for (int k = 0; k < 3 && right; k++) {
+        any_way(p, c);
+        struct picture is = picture_draw(c, scene, camera);
+        right = want.err == is.err && (want.err || picture_same(&want, &is, name));
+        if (!is.err)
+            add(sum, &is.stats);
+        drawn += !is.err;
+        picture_free(&is);
+    }
+    picture_free(&want);
+    return right;
+}
+
 static int world_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -59,18 +78,7 @@ static int world_case(uint64_t seed)
     struct zs_config c = any_config(&p, prng_range(&p, 1, 140), prng_range(&p, 1, 90));
     c.max_tris = 4000;
     c.max_verts = 8000;
-    struct picture want = picture_draw(&c, &w.scene, &w.camera);
-    int right = 1;
-    for (int k = 0; k < 3 && right; k++) {
-        any_way(&p, &c);
-        struct picture is = picture_draw(&c, &w.scene, &w.camera);
-        right = want.err == is.err && (want.err || picture_same(&want, &is, "a world"));
-        if (!is.err)
-            add(&worlds, &is.stats);
-        drawn += !is.err;
-        picture_free(&is);
-    }
-    picture_free(&want);
+    const int right = three_ways(&p, &c, &w.scene, &w.camera, &worlds, "a world");
     world_free(&w);
     return right;
 }
@@ -153,17 +161,8 @@ static int walls_case(uint64_t seed)
     struct zs_config c = any_config(&p, prng_range(&p, 1, 330), prng_range(&p, 1, 130));
     const struct zs_camera camera = walls_camera(&c, &p);
     const struct zs_scene scene = walls_make(&p, (uint32_t)prng_range(&p, 2, WALLS), (int)prng_pick(&p, 2));
-    struct picture want = picture_draw(&c, &scene, &camera);
-    int right = 1;
-    for (int k = 0; k < 3 && right; k++) {
-        any_way(&p, &c);
-        struct picture is = picture_draw(&c, &scene, &camera);
-        right = picture_same(&want, &is, "walls");
-        add(&walls, &is.stats);
-        picture_free(&is);
-    }
-    picture_free(&want);
-    return right;
+    const unsigned before = drawn;
+    return three_ways(&p, &c, &scene, &camera, &walls, "walls") && (drawn == before + 3 || case_wrong("refused"));
 }
 
 static void walls_are_the_same(void **state)

@@ -192,6 +192,17 @@ static void tally_end(const char *name)
     assert_true(tally.beyond_two * 1000 <= tally.n);
 }
 
+/* Run cases and judge what they counted together. 0: one seed was run alone, of which nothing is asked. */
+static int tally_of(const char *test, case_fn *fn, uint64_t n, const char *what)
+{
+    tally_begin();
+    cases_run(test, fn, n);
+    if (getenv("ZS_SEED"))
+        return 0;
+    tally_end(what);
+    return 1;
+}
+
 /* ---- At points -------------------------------------------------------------------------------- */
 
 static void world_of(const struct zs_instance *in, const double p[3], double out[3], int turn_only)
@@ -292,12 +303,8 @@ static void is_the_formula_at_points(void **state)
 {
     (void)state;
     lit_points = 0;
-    tally_begin();
-    CASES(point_case, 4000);
-    if (getenv("ZS_SEED"))
-        return;
-    tally_end("points");
-    assert_true(lit_points > 40000);
+    if (tally_of(__func__, point_case, 4000, "points"))
+        assert_true(lit_points > 40000);
 }
 
 static int shine_case(uint64_t seed)
@@ -331,10 +338,7 @@ static int shine_case(uint64_t seed)
 static void all_powers(void **state)
 {
     (void)state;
-    tally_begin();
-    CASES(shine_case, 255);
-    if (!getenv("ZS_SEED"))
-        tally_end("powers");
+    (void)tally_of(__func__, shine_case, 255, "powers");
 }
 
 /* ---- On frames -------------------------------------------------------------------------------- */
@@ -475,24 +479,16 @@ static void is_the_formula_at_pixels(void **state)
 {
     (void)state;
     lit_pixels = blocks = 0;
-    tally_begin();
-    CASES(phong_case, 300);
-    if (getenv("ZS_SEED"))
-        return;
-    tally_end("phong");
-    assert_true(lit_pixels > 150000 && blocks > 80000);
+    if (tally_of(__func__, phong_case, 300, "phong"))
+        assert_true(lit_pixels > 150000 && blocks > 80000);
 }
 
 static void is_the_formula_at_pixels_near_lamps(void **state)
 {
     (void)state;
     lit_pixels = 0;
-    tally_begin();
-    CASES(near_case, 200);
-    if (getenv("ZS_SEED"))
-        return;
-    tally_end("phong near");
-    assert_true(lit_pixels > 80000);
+    if (tally_of(__func__, near_case, 200, "phong near"))
+        assert_true(lit_pixels > 80000);
 }
 
 /* ---- Any way of drawing ----------------------------------------------------------------------- */

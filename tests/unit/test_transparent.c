@@ -89,6 +89,24 @@ static void triangle_set(uint32_t t, struct prng *p, int32_t nearest, int32_t de
 
 static unsigned walks, layers_drawn;
 
+/* The method shows the first n instances as no method does that gets them in this order. */
+static int as_in_order(struct prng *p, const uint32_t *order, uint32_t n, const struct zs_camera *camera,
+                       const struct zs_depth *depth, const struct zs_method *method)
+{
+    for (uint32_t k = 0; k < n; k++)
+        sorted[k] = instances[order[k]];
+    const struct zs_scene in_that_order = { .instance = sorted, .n_instances = n, .background = 0x7bcf };
+    const struct zs_scene scene = { .instance = instances, .n_instances = n, .background = 0x7bcf };
+    struct zs_config c = picture_config(64, 48, depth);
+    c.fast = NULL;
+    struct picture want = picture_draw(&c, &in_that_order, camera);
+    c.method = method;
+    picture_any_way(p, &c, 2, 6);
+    struct picture is = picture_draw(&c, &scene, camera);
+    walks += is.stats.passes;
+    return picture_drawn_alike(&want, &is, "single triangles");
+}
+
 /* Triangles between near and far and inside the guard band, many of them equally far, each an instance of some material
  * and depth state: the frame is that of the depth buffer, drawn in the order of in_order. */
 static int single_case(uint64_t seed)
@@ -111,18 +129,8 @@ static int single_case(uint64_t seed)
         layers_drawn += (unsigned)is_layer(t);
     }
     qsort(order, n, sizeof order[0], in_order);
-    for (uint32_t k = 0; k < n; k++)
-        sorted[k] = instances[order[k]];
-    const struct zs_scene in_that_order = { .instance = sorted, .n_instances = n, .background = 0x7bcf };
-    const struct zs_scene scene = { .instance = instances, .n_instances = n, .background = 0x7bcf };
-    struct zs_config c = picture_config(64, 48, prng_pick(&p, 2) ? &zs_depth_float : &zs_depth_recip);
-    c.fast = NULL;
-    struct picture want = picture_draw(&c, &in_that_order, &camera);
-    c.method = &zs_method_transparent;
-    picture_any_way(&p, &c, 2, 6);
-    struct picture is = picture_draw(&c, &scene, &camera);
-    walks += is.stats.passes;
-    return picture_drawn_alike(&want, &is, "single triangles");
+    return as_in_order(&p, order, n, &camera, prng_pick(&p, 2) ? &zs_depth_float : &zs_depth_recip,
+                       &zs_method_transparent);
 }
 
 /* The painter's algorithm with the same materials: all of them from far to near. */
@@ -147,17 +155,7 @@ static int painter_case(uint64_t seed)
         triangle_set(t, &p, prng_range(&p, 101, 5000), prng_range(&p, 0, 4));
     }
     qsort(order, n, sizeof order[0], far_first);
-    for (uint32_t k = 0; k < n; k++)
-        sorted[k] = instances[order[k]];
-    const struct zs_scene in_that_order = { .instance = sorted, .n_instances = n, .background = 0x7bcf };
-    const struct zs_scene scene = { .instance = instances, .n_instances = n, .background = 0x7bcf };
-    struct zs_config c = picture_config(64, 48, &zs_depth_none);
-    c.fast = NULL;
-    struct picture want = picture_draw(&c, &in_that_order, &camera);
-    c.method = &zs_method_painter;
-    picture_any_way(&p, &c, 2, 6);
-    struct picture is = picture_draw(&c, &scene, &camera);
-    return picture_drawn_alike(&want, &is, "by the painter");
+    return as_in_order(&p, order, n, &camera, &zs_depth_none, &zs_method_painter);
 }
 
 /* ---- Any pools, any mapping ------------------------------------------------------------------- */
