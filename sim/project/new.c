@@ -185,12 +185,13 @@ static int copy_sources(const char *sources, const char *out, int with_emulator)
         { "tests/boards/elf.mjs", "zstrip/emulator/elf.mjs" },
         { "tests/boards/pico/pico.mjs", "zstrip/emulator/pico.mjs" },
         { "tests/boards/pico/second.mjs", "zstrip/emulator/second.mjs" },
+        { "tests/boards/pico/xip.mjs", "zstrip/emulator/xip.mjs" },
         { "tests/boards/pico/frames.mjs", "zstrip/emulator/frames.mjs" },
         { "tests/boards/pico/package.json", "zstrip/emulator/package.json" },
         { "tests/boards/pico/package-lock.json", "zstrip/emulator/package-lock.json" },
     };
     int status = SIM_OK;
-    for (size_t i = 0; status == SIM_OK && i < (with_emulator ? 10 : 4); i++) {
+    for (size_t i = 0; status == SIM_OK && i < (with_emulator ? sizeof copied / sizeof copied[0] : 4); i++) {
         char from[PATH_MAX], to[PATH_MAX];
         if (snprintf(from, sizeof from, "%s/%s", sources, copied[i][0]) >= (int)sizeof from ||
             snprintf(to, sizeof to, "%s/%s", out, copied[i][1]) >= (int)sizeof to)
