@@ -47,6 +47,17 @@ bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/records/bench.txt
 
+## strangers: zsim budget on twelve models of others against the emulated Pico; minutes
+strangers: sim $(B)/.setup-show
+	@.ci/setup assimp-testmodels
+	@mkdir -p $(B)/pico
+	@sh tests/lab/strangers.sh $(B)
+## stopwatch: from a clean clone to a moving picture of a model of others in the emulated Pico, step by step
+stopwatch:
+	@.ci/setup assimp-testmodels
+	@mkdir -p $(B)
+	@sh tests/lab/stopwatch.sh $(B)
+
 ## scale: how instructions grow with triangles, pixels, strips, passes, depth complexity: CSV and plots in build/scale
 scale: $(B)/.setup-scale $(B)/gen/meshes.h
 	@sh tests/lab/scale.sh $(B) plots
@@ -112,7 +123,7 @@ accuracy: lab
 records-age:
 	@sh tests/records/age.sh
 
-.PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
+.PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record strangers stopwatch scale costs \
         costs-record still cull methods methods-record \
         methods-worlds methods-worlds-record effects effects-record gallery depth hiz accuracy fuzz-programs \
         lib-fuzz-programs stress-programs

@@ -1,10 +1,11 @@
-// node frames.mjs STEM [--size WxH] [--frames N] [--gap NS] [--seconds S] --stream FILE
+// node frames.mjs STEM [--size WxH] [--frames N] [--gap NS] [--seconds S] [--cycles 1] --stream FILE
 //
 // Boots STEM.bin, whatever program it is, on an emulated Pico, until its panel (an ST7789 on SPI0, or another with its
 // commands) has got N whole frames since it was switched on. Prints "name value" a line: frames a second, the share of
 // the time in which the wire was busy, text of the UART after "text", problems after "problem". FILE gets the panel's
 // bytes, for `zsim panel --full --decode`. --gap: ns between words, as real chips make some. --seconds: of the
-// program's time, after which it is broken off (30).
+// program's time, after which it is broken off (30). --cycles: what the core ran from each frame's end to the next one's,
+// without its sleep, "frame NUMBER CYCLES" a line.
 //
 // Exit status: 0; 1 where the frames did not come.
 //
@@ -16,7 +17,7 @@ import { Pico } from './pico.mjs';
 const DATA = 0x100, MARKS = 0xe00;
 const DISPLAY_ON = 0x29, MEMORY_WRITE = 0x2c;
 
-const o = { size: '240x240', frames: 4, gap: 0, seconds: 30, stream: '' };
+const o = { size: '240x240', frames: 4, gap: 0, seconds: 30, cycles: 0, stream: '' };
 const args = process.argv.slice(2);
 for (let i = 1; i < args.length; i += 2) {
     const name = args[i].replace('--', '');
@@ -41,7 +42,7 @@ function look() {
             on ||= word === DISPLAY_ON;
         } else if (on && pixels && ++bytes === frame_bytes) {
             bytes = 0;
-            whole.push({ ns: pico.clock.nanos, wire: pico.busy_ns });
+            whole.push({ ns: pico.clock.nanos, wire: pico.busy_ns, ran: pico.core.ran });
         }
     }
 }
@@ -60,6 +61,8 @@ if (n > 0) {
     out('fps', (n / (last.ns - first.ns) * 1e9).toFixed(1));
     out('wire_percent', Math.round((last.wire - first.wire) / (last.ns - first.ns) * 100));
 }
+for (let k = 1; o.cycles && k < whole.length; k++)
+    out('frame', `${k} ${whole[k].ran - whole[k - 1].ran}`);
 for (const line of pico.text.split('\n').filter(Boolean))
     out('text', line);
 for (const problem of pico.problems)
