@@ -99,7 +99,7 @@ static const struct sim_option table[] = {
       .help = "all that --methods may take, with renderer, scene and stack (16384)" },
     { "--check", SIM_OPTION_FILE, AT(check),
       .help =
-          "limits, one a line, `name = number`, # begins a comment: most for ram, arena, stack, flash, wire_ms, "
+          "limits, one a line, `name = number`, # begins a comment: most for ram, arena, stack, flash, wire_ms, strip_ms, "
           "draw_ms, frame_ms, least for fps, ram_left, flash_left; exit status 1 where one is exceeded. Times need "
           "--part, or --core and --mhz" },
     { "--elf", SIM_OPTION_FILE, AT(elf), .value = "F.elf",
@@ -223,6 +223,21 @@ static void print_measured(const struct budget *b)
            b->counted.stats.pairs, b->counted.stats.splits, b->counted.stats.rays);
 }
 
+/* While the dearest strip is drawn, the wire has sent the one before it and waits. */
+static void print_worst(const struct budget_request *rq, const struct budget *b)
+{
+    const struct target to = target_of(rq);
+    const double worst = b->counted.worst[to.core];
+    if (!(worst > 0.0))
+        return;
+    printf("  The dearest of %u strips takes %.2f M", b->counted.stats.strips, worst / 1e6);
+    if (to.mhz > 0.0)
+        printf(", %.1f ms", worst * budget_cpi(rq, to.core) / (to.mhz * 1e3));
+    if (b->has_wire)
+        printf("; a strip is %.1f ms on the wire", budget_wire_ms(rq, b, to.part) / b->counted.stats.strips);
+    printf(".\n");
+}
+
 static void print_drawing(const struct budget_request *rq, const struct budget *b)
 {
     if (b->method->method) {
@@ -259,6 +274,7 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
     else
         printf("  Of the demo and bench scenes, none of which is in the fit, none is more than %.0f %% off on this "
                "core.\n", ceil(sim_cost_error(to.core)));
+    print_worst(rq, b);
 }
 
 static void print_parts(const struct budget_request *rq, const struct budget *b)
@@ -330,6 +346,10 @@ static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct 
         figure[n++] = (struct budget_figure){ "wire_ms", b->wire.ms, 0 };
     if (to.mhz > 0.0 && !isnan(t.draw_ms)) {
         figure[n++] = (struct budget_figure){ "draw_ms", t.draw_ms, 0 };
+        if (b->counted.worst[to.core] > 0.0)
+            figure[n++] = (struct budget_figure){
+                "strip_ms", b->counted.worst[to.core] * budget_cpi(rq, to.core) / (to.mhz * 1e3), 0
+            };
         figure[n++] = (struct budget_figure){ "frame_ms", t.frame_ms, 0 };
         figure[n++] = (struct budget_figure){ "fps", t.fps, 1 };
     }

@@ -124,8 +124,12 @@ struct sim_cost_name {
 };
 extern const struct sim_cost_name sim_cost_names[SIM_COST_N];
 
+enum sim_core { SIM_CORE_M0, SIM_CORE_M3, SIM_CORE_M4, SIM_CORE_M7, SIM_CORE_RV32, SIM_CORE_RP2040, SIM_CORES };
+extern const char *const sim_core_names[SIM_CORES]; /* as tests/records/bench.txt names them; "RP2040" is in cycles */
+
 struct sim_counted {
     double n[SIM_COST_N];  /* how often in the frame */
+    double worst[SIM_CORES]; /* instructions (RP2040: cycles) of the dearest strip; 0: strips were not looked at */
     struct zs_stats stats; /* of it */
     uint32_t checksum;     /* FNV-1a, 32 bits, of its bytes as they leave */
 };
@@ -136,9 +140,6 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
                     const struct zs_config *config);
 
 /* ---- What one costs ----------------------------------------------------------------------------- */
-
-enum sim_core { SIM_CORE_M0, SIM_CORE_M3, SIM_CORE_M4, SIM_CORE_M7, SIM_CORE_RV32, SIM_CORE_RP2040, SIM_CORES };
-extern const char *const sim_core_names[SIM_CORES]; /* as tests/records/bench.txt names them; "RP2040" is in cycles */
 
 /* Instructions (RP2040: cycles) of one, as on record. */
 double sim_cost_of(enum sim_core core, enum sim_cost cost);

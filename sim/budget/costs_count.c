@@ -74,6 +74,9 @@ static struct {
     struct shape shape;  /* of the triangle that was set up last */
     zs_piece_fn *piece;  /* what on_piece stands for */
     struct zs_vertex cover[3]; /* the last triangle that hides others */
+    double before[SIM_COST_N]; /* counts when the strip in hand began */
+    double dearest[2][SIM_CORES]; /* what the dearest strip takes of what is counted while it is drawn: of strips that
+                                     begin with a walk over the scene, [1], and of the others */
     uint32_t walk;     /* number of the walk, and of ... */
     uint32_t instance; /* ... the instance in hand, UINT32_MAX: none */
 } now;
@@ -656,16 +659,30 @@ static void count_bounds(const struct zs_strip *strip)
     }
 }
 
+/* What was counted since the strip before. */
+static void weigh_strip(int walked)
+{
+    for (int c = 0; c < SIM_CORES; c++) {
+        double sum = 0.0;
+        for (int k = 0; k < SIM_COST_N; k++)
+            sum += (now.n[k] - now.before[k]) * sim_cost_of((enum sim_core)c, (enum sim_cost)k);
+        if (now.dearest[walked][c] < sum)
+            now.dearest[walked][c] = sum;
+    }
+    memcpy(now.before, now.n, sizeof now.before);
+}
+
 static int on_submit(void *ctx, const struct zs_strip *strip)
 {
     (void)ctx;
-    if (strip->y / now.r->config.strip_h >= (int)now.band_end)
-        now.walks++;
+    const int walked = strip->y / now.r->config.strip_h >= (int)now.band_end;
+    now.walks += (uint32_t)walked;
     now.band_end = now.r->band_end;
     count_bounds(strip);
     if (now.untouched && now.r->untouched_left)
         now.n[SIM_COST_row_clear] += strip->h;
     now.untouched = 0;
+    weigh_strip(walked);
     for (uint32_t i = 0; i < strip->n_bytes; i++)
         now.checksum = (now.checksum ^ strip->px[i]) * 16777619u;
     return 0;
@@ -712,6 +729,22 @@ static void count_asked(const struct zs_scene *scene, const struct zs_config *co
         now.n[SIM_COST_tri_asked] += n * now.walks * (1.0 - (double)s->instances_culled / s->instances_in);
 }
 
+/* The dearest strip: what was counted while strips were drawn, each one's share of what is the same in all of them, and
+ * in those that begin with a walk, a walk's share of the rest. */
+static void find_worst(struct sim_counted *out)
+{
+    for (int c = 0; c < SIM_CORES; c++) {
+        const enum sim_core core = (enum sim_core)c;
+        double all = 0.0;
+        for (int k = 0; k < SIM_COST_N; k++)
+            all += (out->n[k] - now.before[k]) * sim_cost_of(core, (enum sim_cost)k);
+        const double strips = out->n[SIM_COST_strip] * sim_cost_of(core, SIM_COST_strip) +
+                              out->n[SIM_COST_clear_px] * sim_cost_of(core, SIM_COST_clear_px);
+        const double walk = now.dearest[1][c] + (all - strips) / now.walks;
+        out->worst[c] = strips / out->stats.strips + (walk > now.dearest[0][c] ? walk : now.dearest[0][c]);
+    }
+}
+
 int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
                     const struct zs_config *config)
 {
@@ -747,6 +780,8 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
         out->checksum = now.checksum;
         count_frame(config, &frame.stats);
         count_asked(scene, config, &frame.stats);
+        if (now.walks > 0 && frame.stats.strips > 0)
+            find_worst(out);
         if (now.tested != frame.stats.pixels_tested)
             err = SIM_FRAME_BROKEN;
     }

@@ -260,6 +260,19 @@ awk -v f="$(csv frame_ms)" -v d="$(csv draw_ms)" -v w="$(csv wire_ms)" \
 budget --core M3 --mhz 50 --cpi 2 --csv
 is "instructions to time" "$(csv draw_ms)" "$(awk -v n="$(csv draw_M3)" 'BEGIN { printf "%.3f", n * 2 / 50000 }')"
 
+begin dearest_strip
+for strip in 60 16 1; do
+    budget --scene teapot --strip $strip --part rp2040 --csv
+    awk -v s="$(csv strip_ms)" -v d="$(csv draw_ms)" -v n=$((240 / strip)) 'BEGIN { exit !(s > d / n && s < d) }' ||
+        wrong "strips of $strip rows: $(csv strip_ms) of $(csv draw_ms) ms"
+done
+budget --scene teapot --strip 240 --part rp2040 --csv
+is "one strip is the frame" "$(csv strip_ms)" "$(csv draw_ms)"
+# pools that take several walks: each band's first strip holds one
+budget --scene teapot --strip 16 --tris 400 --verts 500 --part rp2040 --csv
+awk -v s="$(csv strip_ms)" -v d="$(csv draw_ms)" 'BEGIN { exit !(s > d / 15 && s < d / 2) }' ||
+    wrong "in several walks: $(csv strip_ms) of $(csv draw_ms) ms"
+
 # ---- What fits -------------------------------------------------------------------------------------------------
 ram_left() { # PART OPTION...
     part=$1
