@@ -1,23 +1,26 @@
-// node frames.mjs STEM [--size WxH] [--frames N] [--gap NS] [--seconds S] [--cycles 1] --stream FILE
+// node frames.mjs STEM [--size WxH] [--frames N] [--gap NS] [--seconds S] [--cycles 1] [--xip 1]
+//                     --stream FILE
 //
 // Boots STEM.bin, whatever program it is, on an emulated Pico, until its panel (an ST7789 on SPI0, or another with its
 // commands) has got N whole frames since it was switched on. Prints "name value" a line: frames a second, the share of
 // the time in which the wire was busy, text of the UART after "text", problems after "problem". FILE gets the panel's
 // bytes, for `zsim panel --full --decode`. --gap: ns between words, as real chips make some. --seconds: of the
-// program's time, after which it is broken off (30). --cycles: what the core ran from each frame's end to the next one's,
-// without its sleep, "frame NUMBER CYCLES" a line.
+// program's time, after which it is broken off (30). --cycles: what the core ran from each frame's end to the next
+// one's, without its sleep, "frame NUMBER CYCLES" a line. --xip: reading the flash takes time (xip.mjs); flash_percent is the
+// share of the time in which the core waits for it.
 //
 // Exit status: 0; 1 where the frames did not come.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
 
-import { Pico } from './pico.mjs';
+import { CYCLE_NS, Pico } from './pico.mjs';
+import { MISS_CYCLES } from './xip.mjs';
 
 const DATA = 0x100, MARKS = 0xe00;
 const DISPLAY_ON = 0x29, MEMORY_WRITE = 0x2c;
 
-const o = { size: '240x240', frames: 4, gap: 0, seconds: 30, cycles: 0, stream: '' };
+const o = { size: '240x240', frames: 4, gap: 0, seconds: 30, cycles: 0, xip: 0, stream: '' };
 const args = process.argv.slice(2);
 for (let i = 1; i < args.length; i += 2) {
     const name = args[i].replace('--', '');
@@ -26,7 +29,7 @@ for (let i = 1; i < args.length; i += 2) {
 const [width, height] = o.size.split('x').map(Number);
 const frame_bytes = width * height * 2;
 
-const pico = new Pico(args[0], { gap_ns: o.gap });
+const pico = new Pico(args[0], { gap_ns: o.gap, xip: o.xip !== 0 });
 pico.boot();
 
 let seen = 0;               // words of the stream that were looked at
@@ -42,7 +45,7 @@ function look() {
             on ||= word === DISPLAY_ON;
         } else if (on && pixels && ++bytes === frame_bytes) {
             bytes = 0;
-            whole.push({ ns: pico.clock.nanos, wire: pico.busy_ns, ran: pico.core.ran });
+            whole.push({ ns: pico.clock.nanos, wire: pico.busy_ns, ran: pico.core.ran, misses: pico.xip?.misses });
         }
     }
 }
@@ -60,6 +63,10 @@ out('frames', whole.length);
 if (n > 0) {
     out('fps', (n / (last.ns - first.ns) * 1e9).toFixed(1));
     out('wire_percent', Math.round((last.wire - first.wire) / (last.ns - first.ns) * 100));
+    if (pico.xip) {
+        const waited = (last.misses - first.misses) * MISS_CYCLES * CYCLE_NS;
+        out('flash_percent', Math.round(waited / (last.ns - first.ns) * 100));
+    }
 }
 for (let k = 1; o.cycles && k < whole.length; k++)
     out('frame', `${k} ${whole[k].ran - whole[k - 1].ran}`);

@@ -27,7 +27,7 @@ import { Xip } from './xip.mjs';
 const STAGE2_AT = 0x20041f00; // where the boot ROM copies the second stage
 const FLASH = 0x10000000, RAM = 0x20000000;
 const WFI = 0xbf30, WFE = 0xbf20; // opcodes
-const CYCLE_NS = 8;           // at 125 MHz
+export const CYCLE_NS = 8;    // at 125 MHz
 const PIN = { cs: 17, dc: 20, reset: 21 };
 const SPI0_RESET = 1 << 16;
 const PAINT = 0xa5a5a5a5;
