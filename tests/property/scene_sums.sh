@@ -51,10 +51,10 @@ column_is() { # COLUMN
         with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1 DEBUG="
         core_of powerpc-O2 ;;
     bare_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1 DEBUG=" ;;
-    bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10752' with=LEAN=1 ;;
+    bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10688' with=LEAN=1 ;;
     bare_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
     cortex_m0) # 16 KB of RAM; its flash takes a scene at a time, and the largest with the smaller code alone
-        board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10752'
+        board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10688'
         with="OPT=-Os OUT=$build/fw/m0_small DEBUG=" ;;
     cortex_m0plus) # the Pico's code, with the library's division, on the machine of the M3
         board=mps2 memory='-DSUMS_ROWS=16 -DSUMS_ARENA=160000'
