@@ -43,7 +43,7 @@ by_name "mesh generators name fields" "" firmware/scenes/gen/*.c
 by_name "generated meshes name fields" "-I$gen" "$gen"/*.c
 by_name "applications name fields" \
     "-Ihal -Ihal/panel -Ifirmware/app -I$gen -I$dir/made -DFRAME_DEMO=teapot -DSHOW_DEMO=teapot" firmware/app/*.c
-by_name "the simulator names fields" "$SIM" sim/*/*.c
+by_name "the simulator names fields" "$SIM -Ifirmware/app -DSTAGE_ORBIT=1" sim/*/*.c # of the page, too
 by_name "tests name fields" "$SIM -Itests/lib -Itests/lab/fuzz -Itests/lab/stress -Ifirmware/app" \
     tests/lib/*.c tests/unit/*.c tests/property/*.c tests/tools/*.c tests/lab/fuzz/*.c tests/lab/stress/*.c
 LIST=$FAST_ALL minimal "$dir/minimal.c" flat recip "$EVERYTHING $OWN"
