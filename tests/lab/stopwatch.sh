@@ -36,5 +36,5 @@ step 'make -C my3d show: the moving picture' make -C "$out/my3d" show
 grep -E '^(fps|frames) ' "$out/log" | sed 's/^/         /'
 [ -s "$out/my3d/build/pico/show.png" ] || { echo "FAILED stopwatch: no picture"; exit 1; }
 took=$(($(date +%s) - start))
-echo "missing before: ${missing:- nothing}"
+echo "missing before:${missing:- nothing}"
 if [ $took -le $BAR ]; then echo "ok stopwatch: $took of $BAR s"; else echo "FAILED stopwatch: $took s, more than $BAR"; exit 1; fi
