@@ -14,7 +14,12 @@
 struct ring {
     double (*at)[2];
     uint32_t *next, *last; /* the corner after and before each one */
+    uint8_t *known;        /* enum ear of each */
 };
+
+/* Whether a corner is an ear. It is found out once, and anew when a corner beside it has gone: a triangle that holds a
+ * corner goes on to hold one that turns inwards (Eberly, Triangulation by ear clipping). */
+enum ear { EAR_UNKNOWN, EAR_IS, EAR_NOT };
 
 /* Twice the area of a triangle, > 0 where a, b, c turn left. */
 static double turn(const double a[2], const double b[2], const double c[2])
@@ -93,9 +98,12 @@ static uint32_t drop(uint32_t *list, uint32_t n, uint32_t corner)
 static uint32_t find_ear(const struct ring *r, const uint32_t *inward, uint32_t n_inward, uint32_t from, uint32_t left)
 {
     uint32_t at = from;
-    for (uint32_t i = 0; i < left; i++, at = r->next[at])
-        if (is_ear(r, inward, n_inward, at))
+    for (uint32_t i = 0; i < left; i++, at = r->next[at]) {
+        if (r->known[at] == EAR_UNKNOWN)
+            r->known[at] = is_ear(r, inward, n_inward, at) ? EAR_IS : EAR_NOT;
+        if (r->known[at] == EAR_IS)
             return at;
+    }
     return from;
 }
 
@@ -115,6 +123,7 @@ static void clip_ears(struct ring *r, uint32_t n, uint32_t *inward, uint32_t (*o
         out[t][2] = after;
         r->next[before] = after;
         r->last[after] = before;
+        r->known[before] = r->known[after] = EAR_UNKNOWN;
         n_inward = drop(inward, n_inward, at);
         n_inward = is_inward(r, before) ? n_inward : drop(inward, n_inward, before);
         n_inward = is_inward(r, after) ? n_inward : drop(inward, n_inward, after);
@@ -141,7 +150,7 @@ void sim_polygon_cut(const double (*point)[3], uint32_t n, uint32_t (*out)[3])
             out[t][2] = t + 2;
         }
     } else {
-        struct ring r = { at, sim_alloc(n, sizeof *r.next), sim_alloc(n, sizeof *r.last) };
+        struct ring r = { at, sim_alloc(n, sizeof *r.next), sim_alloc(n, sizeof *r.last), sim_alloc(n, 1) };
         uint32_t *inward = sim_alloc(n, sizeof *inward);
         for (uint32_t i = 0; i < n; i++) {
             r.next[i] = (i + 1) % n;
@@ -150,6 +159,7 @@ void sim_polygon_cut(const double (*point)[3], uint32_t n, uint32_t (*out)[3])
         clip_ears(&r, n, inward, out);
         free(r.next);
         free(r.last);
+        free(r.known);
         free(inward);
     }
     free(at);

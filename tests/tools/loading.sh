@@ -55,6 +55,14 @@ drawn() { # MODEL OPTION...
     [ $status -eq 0 ] && [ ! -s stderr ] || wrong "status $status: $(said)"
 }
 
+# ---- A polygon of very many corners, half of which turn inwards: cut within the loader's seconds ------------
+begin comb_of_8000_corners
+awk 'BEGIN {
+    for (i = 0; i < 4000; i++) print "v", i, 1000 * (i % 2), 0
+    for (i = 3999; i >= 0; i--) print "v", i, 1000 * (i % 2) + 400, 0
+    printf "f"; for (i = 1; i <= 8000; i++) printf " %d", i; print "" }' >comb.obj
+drawn comb.obj --cull none
+
 # ---- Files that are none ------------------------------------------------------------------------
 mkfifo fifo.obj fifo.gltf fifo.bin fifo.png
 : >empty.gltf

@@ -40,6 +40,7 @@ class Ring {
         this.at = at;
         this.next = at.map((_, i) => (i + 1) % n);
         this.last = at.map((_, i) => (i + n - 1) % n);
+        this.known = at.map(() => undefined);
         this.inward = at.map((_, i) => i).filter((i) => this.isInward(i));
     }
 
@@ -62,7 +63,10 @@ class Ring {
     }
 
     ear(from, left) {
-        for (let i = 0, at = from; i < left; i++, at = this.next[at]) if (this.isEar(at)) return at;
+        for (let i = 0, at = from; i < left; i++, at = this.next[at]) {
+            this.known[at] ??= this.isEar(at);
+            if (this.known[at]) return at;
+        }
         return from;
     }
 
@@ -81,6 +85,7 @@ class Ring {
             out.push([before, at, after]);
             this.next[before] = after;
             this.last[after] = before;
+            this.known[before] = this.known[after] = undefined;
             this.drop(at);
             for (const beside of [before, after]) if (!this.isInward(beside)) this.drop(beside);
             at = this.inward.length > 0 ? this.next[after] : after;
