@@ -4,17 +4,13 @@
  */
 #include "moving_picture.h"
 
-#include <errno.h>
-#include <spawn.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "run_program.h"
 #include "sim.h"
-
-extern char **environ;
 
 /* All frames; NULL: they could not be written. */
 static FILE *raw_frames(const struct sim_moving *m)
@@ -51,19 +47,15 @@ int sim_moving_mp4(const char *path, const char *name, const struct sim_moving *
                                   "-movflags", "+faststart", "-f", "mp4", "-y", path, NULL };
     FILE *frames = raw_frames(m), *said = tmpfile();
     posix_spawn_file_actions_t files;
-    pid_t pid;
-    int status = 0, result = SIM_OK;
+    int result = SIM_OK;
     if (frames == NULL || said == NULL) {
         result = sim_refuse(name, 0, "cannot be written: there is no room for its frames in TMPDIR");
     } else {
         (void)posix_spawn_file_actions_init(&files);
         (void)posix_spawn_file_actions_adddup2(&files, fileno(frames), STDIN_FILENO);
         (void)posix_spawn_file_actions_adddup2(&files, fileno(said), STDERR_FILENO);
-        const int err = posix_spawnp(&pid, words[0], &files, NULL, (char *const *)(uintptr_t)words, environ);
-        (void)posix_spawn_file_actions_destroy(&files);
-        while (!err && waitpid(pid, &status, 0) < 0 && errno == EINTR)
-            continue;
-        if (err)
+        const int status = sim_run_program(words, &files);
+        if (status < 0)
             result = sim_refuse(name, 0, "is written by ffmpeg, which is not installed; name it .gif or .png instead");
         else if (status != 0) {
             first_line(line, sizeof line, said);

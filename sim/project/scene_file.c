@@ -11,7 +11,6 @@
 #include <fcntl.h>
 #include <limits.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,6 +22,7 @@
 #include "demo_frame.h"
 #include "input_file.h"
 #include "project_files.h"
+#include "run_program.h"
 #include "show.h"
 #include "sim.h"
 
@@ -32,8 +32,6 @@
 #define TRY_S 10u /* seconds that all frames of the animation may take at the first try */
 #define TEXT(macro) TEXT_OF(macro)
 #define TEXT_OF(text) #text
-
-extern char **environ;
 
 static struct demo loaded;      /* what was loaded last, named after its file */
 static char *loaded_as;         /* by which words; NULL: nothing was */
@@ -134,21 +132,13 @@ static void place(char to[PATH_MAX], const struct workshop *w, const char *what,
 }
 
 /* Run it; what it says goes into said. Its exit status; -1: there is no such program. */
-static int run(char *const *words, const char *said)
+static int run(const char *const *words, const char *said)
 {
     posix_spawn_file_actions_t files;
-    pid_t pid;
-    int status = 0;
     (void)posix_spawn_file_actions_init(&files);
     (void)posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     (void)posix_spawn_file_actions_adddup2(&files, STDERR_FILENO, STDOUT_FILENO);
-    const int err = posix_spawnp(&pid, words[0], &files, NULL, words, environ);
-    (void)posix_spawn_file_actions_destroy(&files);
-    if (err)
-        return -1;
-    while (waitpid(pid, &status, 0) < 0 && errno == EINTR)
-        continue;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 126;
+    return sim_run_program(words, &files);
 }
 
 /* The first line that holds "error", else the first; without its end. */
@@ -204,7 +194,7 @@ static int compile(const struct workshop *w, int i)
     place(said, w, "said", i);
     const char *const rest[] = { "-MF", rule, "-o", object, w->file[i] };
     memcpy(&words[n], rest, sizeof rest);
-    const int status = run((char *const *)(uintptr_t)words, said);
+    const int status = run(words, said);
     source_add(w->file[i], strlen(w->file[i]));
     sources_read(rule);
     return status == 0 ? SIM_OK : refuse_compiler(w->file[i], said, status);
@@ -220,7 +210,7 @@ static int link_all(const struct workshop *w, const char *library)
         words[n++] = object[i];
     }
     place(said, w, "said", w->n_files);
-    const int status = run((char *const *)(uintptr_t)words, said);
+    const int status = run(words, said);
     return status == 0 ? SIM_OK : refuse_compiler(w->file[0], said, status);
 }
 

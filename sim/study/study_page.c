@@ -5,20 +5,17 @@
  */
 #include <errno.h>
 #include <fcntl.h>
-#include <spawn.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "image.h"
 #include "output_file.h"
+#include "run_program.h"
 #include "sim.h"
 #include "study.h"
-
-extern char **environ;
 
 struct study_page {
     const char *dir;
@@ -150,19 +147,10 @@ FILE *study_plot_open(struct study_page *page, const char *name, int width, int 
 static int run_gnuplot(const char *script, const char *to)
 {
     posix_spawn_file_actions_t files;
-    const char *const program = "gnuplot";
-    char *const words[] = { (char *)(uintptr_t)program, (char *)(uintptr_t)script, NULL };
-    pid_t pid;
-    int status = 0;
+    const char *const words[] = { "gnuplot", script, NULL };
     (void)posix_spawn_file_actions_init(&files);
     (void)posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, to, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    const int err = posix_spawnp(&pid, program, &files, NULL, words, environ);
-    (void)posix_spawn_file_actions_destroy(&files);
-    if (err)
-        return -1;
-    while (waitpid(pid, &status, 0) < 0 && errno == EINTR)
-        continue;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 126;
+    return sim_run_program(words, &files);
 }
 
 int study_plot_close(struct study_page *page, const char *caption)
