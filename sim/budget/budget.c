@@ -223,14 +223,14 @@ static void print_measured(const struct budget *b)
            b->counted.stats.pairs, b->counted.stats.splits, b->counted.stats.rays);
 }
 
-/* While the dearest strip is drawn, the wire has sent the one before it and waits. */
+/* While the slowest strip is drawn, the wire has sent the one before it and waits. */
 static void print_worst(const struct budget_request *rq, const struct budget *b)
 {
     const struct target to = target_of(rq);
     const double worst = b->counted.worst[to.core];
     if (!(worst > 0.0))
         return;
-    printf("  The dearest of %u strips takes %.2f M", b->counted.stats.strips, worst / 1e6);
+    printf("  The slowest of %u strips takes %.2f M", b->counted.stats.strips, worst / 1e6);
     if (to.mhz > 0.0)
         printf(", %.1f ms", worst * budget_cpi(rq, to.core) / (to.mhz * 1e3));
     if (b->has_wire)

@@ -129,7 +129,7 @@ extern const char *const sim_core_names[SIM_CORES]; /* as tests/records/bench.tx
 
 struct sim_counted {
     double n[SIM_COST_N];  /* how often in the frame */
-    double worst[SIM_CORES]; /* instructions (RP2040: cycles) of the dearest strip; 0: strips were not looked at */
+    double worst[SIM_CORES]; /* instructions (RP2040: cycles) of the slowest strip; 0: strips were not looked at */
     struct zs_stats stats; /* of it */
     uint32_t checksum;     /* FNV-1a, 32 bits, of its bytes as they leave */
 };

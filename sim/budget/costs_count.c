@@ -75,7 +75,7 @@ static struct {
     zs_piece_fn *piece;  /* what on_piece stands for */
     struct zs_vertex cover[3]; /* the last triangle that hides others */
     double before[SIM_COST_N]; /* counts when the strip in hand began */
-    double dearest[2][SIM_CORES]; /* what the dearest strip takes of what is counted while it is drawn: of strips that
+    double slowest[2][SIM_CORES]; /* what the slowest strip takes of what is counted while it is drawn: of strips that
                                      begin with a walk over the scene, [1], and of the others */
     uint32_t walk;     /* number of the walk, and of ... */
     uint32_t instance; /* ... the instance in hand, UINT32_MAX: none */
@@ -666,8 +666,8 @@ static void weigh_strip(int walked)
         double sum = 0.0;
         for (int k = 0; k < SIM_COST_N; k++)
             sum += (now.n[k] - now.before[k]) * sim_cost_of((enum sim_core)c, (enum sim_cost)k);
-        if (now.dearest[walked][c] < sum)
-            now.dearest[walked][c] = sum;
+        if (now.slowest[walked][c] < sum)
+            now.slowest[walked][c] = sum;
     }
     memcpy(now.before, now.n, sizeof now.before);
 }
@@ -729,7 +729,7 @@ static void count_asked(const struct zs_scene *scene, const struct zs_config *co
         now.n[SIM_COST_tri_asked] += n * now.walks * (1.0 - (double)s->instances_culled / s->instances_in);
 }
 
-/* The dearest strip: what was counted while strips were drawn, each one's share of what is the same in all of them, and
+/* The slowest strip: what was counted while strips were drawn, each one's share of what is the same in all of them, and
  * in those that begin with a walk, a walk's share of the rest. */
 static void find_worst(struct sim_counted *out)
 {
@@ -740,8 +740,8 @@ static void find_worst(struct sim_counted *out)
             all += (out->n[k] - now.before[k]) * sim_cost_of(core, (enum sim_cost)k);
         const double strips = out->n[SIM_COST_strip] * sim_cost_of(core, SIM_COST_strip) +
                               out->n[SIM_COST_clear_px] * sim_cost_of(core, SIM_COST_clear_px);
-        const double walk = now.dearest[1][c] + (all - strips) / now.walks;
-        out->worst[c] = strips / out->stats.strips + (walk > now.dearest[0][c] ? walk : now.dearest[0][c]);
+        const double walk = now.slowest[1][c] + (all - strips) / now.walks;
+        out->worst[c] = strips / out->stats.strips + (walk > now.slowest[0][c] ? walk : now.slowest[0][c]);
     }
 }
 

@@ -157,7 +157,7 @@ table_foot() {
     echo "Emulated (rp2040js): no bus contention, so that cycles are a lower bound; draw cycles and the first fps"
     echo "are of a flash without wait states. +$GAP ns: with that pause after each 16-bit word, as real chips make"
     echo "in SPI mode 0. +flash: with pauses and a flash that takes $miss cycles for each word that its cache"
-    echo "lacks; misses: of these, in drawing a frame. strip us: drawing the dearest strip, without those waits;"
+    echo "lacks; misses: of these, in drawing a frame. strip us: drawing the slowest strip, without those waits;"
     echo "its wire: a strip of pixels on the wire. hidden: the share of drawing (core 0's) that went on while the"
     echo "wire was busy. late: frames that took longer than the scene's step. gain: fps by those of one core. Two"
     echo "cores: what they wait for each other at a bank of RAM or at the flash is not counted."

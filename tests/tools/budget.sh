@@ -260,7 +260,7 @@ awk -v f="$(csv frame_ms)" -v d="$(csv draw_ms)" -v w="$(csv wire_ms)" \
 budget --core M3 --mhz 50 --cpi 2 --csv
 is "instructions to time" "$(csv draw_ms)" "$(awk -v n="$(csv draw_M3)" 'BEGIN { printf "%.3f", n * 2 / 50000 }')"
 
-begin dearest_strip
+begin slowest_strip
 for strip in 60 16 1; do
     budget --scene teapot --strip $strip --part rp2040 --csv
     awk -v s="$(csv strip_ms)" -v d="$(csv draw_ms)" -v n=$((240 / strip)) 'BEGIN { exit !(s > d / n && s < d) }' ||

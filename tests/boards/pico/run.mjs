@@ -49,7 +49,7 @@ const channel = pico.chip.dma.channels[0];
 const frames = []; // what was known when each was on the glass
 let strips = 0, armed = false, ending = false, draw = 0, draw_1 = 0, hidden = 0, in_flash = 0;
 let misses = 0;                                  // of the flash's cache, while drawing
-// drawing cycles up to the strip in hand; of the dearest strip, and its number
+// drawing cycles up to the strip in hand; of the slowest strip, and its number
 let strip_from = 0, worst = 0, worst_strip = 0;
 let strips_most = 0;
 
