@@ -47,7 +47,7 @@ bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/records/bench.txt
 
-## strangers: zsim budget on eleven models of others against the emulated Pico; minutes
+## strangers: zsim budget on twelve models of others against the emulated Pico; minutes
 strangers: sim $(B)/.setup-show
 	@.ci/setup assimp-testmodels
 	@mkdir -p $(B)/pico

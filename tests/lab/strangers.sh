@@ -19,8 +19,8 @@ out=$build/strangers
 BAR=10 # per cent
 [ $# -gt 0 ] || set -- OBJ/WusonOBJ.obj OBJ/spider.obj STL/Spider_binary.stl STL/Wuson.stl STL/3DSMaxExport.STL \
     STL/sphereWithHole.stl OBJ/regr01.obj OBJ/empty_mat.obj glTF/CesiumMilkTruck/CesiumMilkTruck.gltf \
-    glTF2/BoxTextured-glTF-Binary/BoxTextured.glb \
-    glTF2/ClearCoat-glTF/ClearCoatTest.gltf
+    glTF2/BoxTextured-glTF-Binary/BoxTextured.glb glTF2/ClearCoat-glTF/ClearCoatTest.gltf \
+    glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb
 mkdir -p "$out"
 
 macro() { # NAME

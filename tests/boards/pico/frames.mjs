@@ -29,7 +29,7 @@ for (let i = 1; i < args.length; i += 2) {
 const [width, height] = o.size.split('x').map(Number);
 const frame_bytes = width * height * 2;
 
-const pico = new Pico(args[0], { gap_ns: o.gap, xip: o.xip !== 0 });
+const pico = new Pico(args[0], { gap_ns: o.gap, xip: o.xip !== 0, most_s: o.seconds + 1 });
 pico.boot();
 
 let seen = 0;               // words of the stream that were looked at
