@@ -40,7 +40,7 @@ extern "C" {
  *         hook or missing depth memory spoils; what is slow. At most 16 sentences.
  * Not found  what is no property of the scene: swapped colours and an offset are the panel's.
  * Cost    that of the frame, and of a check of all meshes; up to 40 times the frame where nothing
- *         is seen. 19 KB of flash with zs_check.h (Cortex-M3, -O2); 1.5 KB of stack beside the
+ *         is seen. 23 KB of flash with zs_check.h (Cortex-M3, -O2); 1.5 KB of stack beside the
  *         frame's.
  * Return  the number of sentences. */
 uint32_t zs_explain(struct zs_renderer *r, const struct zs_scene *scene,

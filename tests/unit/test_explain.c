@@ -17,6 +17,7 @@
 #include "zs_fast.h"
 #include "zs_fog.h"
 #include "zs_lights.h"
+#include "zs_lines.h"
 #include "zs_method.h"
 #include "zs_overlay.h"
 #include "zs_pass.h"
@@ -68,6 +69,7 @@ struct world {
     struct zs_fog fog;
     struct zs_overlay overlay;
     struct zs_item item;
+    struct zs_lines lines;
     struct zs_resolve hook;
     struct zs_sink sink;
     int sent;       /* what submit returns */
@@ -692,7 +694,7 @@ static const struct mistake wrong[] = {
     { "uv 0 and 1", textured, uv_as_ones, ZS_OK,
       "instance 0: mesh.uv spans less than a texel: 4096 is all of the texture with uv_bits 12" },
     { "uv_bits 0", textured, uv_bits_0, ZS_OK, "instance 0: mesh.uv repeats the texture 4096 times: uv_bits is 0" },
-    { "a texture that no shader reads", NULL, not_read, ZS_OK, "instance 0: its texture has " },
+    { "a texture that no shader reads", NULL, not_read, ZS_OK, "instance 0: its texture has ", 2 },
     { "n_colors", textured, few_colours, ZS_OK,
       "instance 0: its texture has a texel that its palette does not hold (number 1)" },
     { "no depth memory", two_without_depth, near_first, ZS_OK, "instance 1 is behind instance 0 and drawn over it" },
@@ -927,9 +929,9 @@ static const struct mistake refused[] = {
     { "material NULL", second, no_material, ZS_ERR_NULL, "instance 1 is refused: material is NULL.\n" },
     { "shader NULL", second, no_shader, ZS_ERR_NULL, "instance 1 is refused: material.shader is NULL.\n" },
     { "no normals", second, no_normals, ZS_ERR_MESH,
-      "instance 1 is refused: its shader reads what is NULL, of mesh.normal mesh.uv material.texture.\n" },
+      "instance 1 is refused: its shader needs what is NULL: mesh.normal, mesh.uv, material.texture, or one of" },
     { "no texture", second, no_texture, ZS_ERR_NULL,
-      "instance 1 is refused: its shader reads what is NULL, of mesh.normal mesh.uv material.texture and" },
+      "instance 1 is refused: its shader needs what is NULL: mesh.normal, mesh.uv, material.texture, or more" },
     { "varyings", smooth, no_varyings, ZS_ERR_VARYINGS,
       "instance 0 is refused: its shader takes 3 varyings, and config.varyings is 0.\n" },
     { "pose.rot", NULL, rot_q16, ZS_ERR_RANGE, "instance 0 is refused: pose.rot is no rotation" },
@@ -957,6 +959,210 @@ static void errors_name_the_thing(void **state)
 {
     for (size_t k = 0; k < sizeof refused / sizeof refused[0]; k++)
         check_mistake(&refused[k]);
+}
+
+/* ---- More mistakes ---------------------------------------------------------------------------- */
+
+/* Triangle t has its corners from `from` on, by where it is in the mesh. */
+static void turn_triangles(struct world *w, const uint8_t from[3])
+{
+    static uint16_t tri[36][3];
+    for (int t = 0; t < 36; t++)
+        for (int k = 0; k < 3; k++)
+            tri[t][k] = t >= 12 ? 0 : (uint16_t)(face[t][t % 2 ? k : from[k]]);
+    w->cube.tri = (const uint16_t(*)[3])tri;
+}
+
+static void with_lines(struct world *w)
+{
+    static const uint16_t side[4][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } };
+    const struct zs_lines lines = { ZS_LINES(side, 4), .width = 2 };
+    w->lines = lines;
+    w->red.shader = &zs_shade_plain;
+    w->red.primitive = &w->lines.primitive;
+}
+
+/* A pane of glass before a cube: both in the order in which they are right. */
+static void glass_behind(struct world *w)
+{
+    two_without_depth(w);
+    w->config.depth = &zs_depth_float;
+    w->config.fast = NULL;
+    with_glass(w);
+    w->instance[1].material = w->instance[0].material;
+    w->instance[0].material = &w->green;
+}
+
+static void with_spot(struct world *w)
+{
+    with_lamps(w);
+    w->lamp.kind = ZS_LAMP_SPOT;
+    w->lamp.pos[2] = 4000;
+    w->lamp.pos[1] = 2000;
+    w->lamp.dir[2] = -ZS_Q30_ONE;
+    w->lamp.inner = zs_cos(ZS_DEGREES(40));
+    w->lamp.outer = zs_cos(ZS_DEGREES(50));
+}
+
+static const int32_t origin[3] = { 0, 0, 0 }, y_up[3] = { 0, 1, 0 };
+static const int32_t in_metres[3] = { 0, 2, 4 }, beyond[3] = { 0, 5000, 9000 }, eye_usual[3] = { 0, 2500, 4500 };
+static const uint8_t turned[3] = { 2, 1, 0 }, twice[3] = { 0, 0, 0 };
+static zs_q1_15 no_normal[12][3], face_in[12][3];
+static int16_t no_uv[8][2];
+static const struct zs_rgb grey[12] = { { 128, 128, 128 } };
+static const uint16_t raw_grey[12] = { 0x8410 };
+
+static void face_normals_inwards(struct world *w)
+{
+    for (uint32_t t = 0; t < 12; t++) {
+        zs_light_face_normal(face_in[t], &w->cube, t);
+        for (int k = 0; k < 3; k++)
+            face_in[t][k] = (zs_q1_15)-face_in[t][k];
+    }
+    w->cube.face_normal = (const zs_q1_15(*)[3])face_in;
+}
+
+/* Each is a line: a function for the table below. */
+#define MAKE(name, ...) \
+    static void name(struct world *w) \
+    { \
+        __VA_ARGS__; \
+    }
+MAKE(eye_in_metres, w->camera_err = zs_camera_look_at(&w->camera, in_metres, origin, y_up))
+MAKE(looks_away, w->camera_err = zs_camera_look_at(&w->camera, eye_usual, beyond, y_up))
+MAKE(orbit_in_degrees, w->camera_err = zs_camera_orbit(&w->camera, origin, 5000, 30, 20))
+MAKE(orbit_of_5, w->camera_err = zs_camera_orbit(&w->camera, origin, 5, 0, ZS_DEGREES(20)))
+MAKE(camera_0, memset(&w->camera, 0, sizeof w->camera))
+MAKE(near_in_units, w->camera.z_near = 1000; w->camera.z_far = 20000)
+MAKE(focal_in_px, w->camera.focal = 58)
+MAKE(focal_q16, w->camera.focal = 58u << 16)
+MAKE(eye_q16, w->camera.pos[1] *= 65536)
+MAKE(pos_q16, w->instance[0].pose.pos[0] = 100 * 65536)
+MAKE(scale_q8, w->instance[0].pose.scale = 256)
+MAKE(no_scale, w->cube.scale = 0)
+MAKE(mirrored, w->instance[0].pose.rot[0] *= -1)
+MAKE(rgb_565, w->red.rgb.r = 28; w->red.rgb.g = 14; w->red.rgb.b = 5)
+MAKE(rgb_of_1, w->red.rgb.r = 1; w->red.rgb.g = w->red.rgb.b = 0)
+MAKE(vertex_rgb, no_colour(w); w->cube.vertex_rgb = grey)
+MAKE(face_rgb, no_colour(w); w->cube.face_rgb = grey)
+MAKE(face_raw, no_colour(w); w->cube.face_raw = raw_grey)
+MAKE(n_tris_36, turn_triangles(w, twice); w->cube.n_tris = 36)
+MAKE(half_empty, turn_triangles(w, twice))
+MAKE(half_turned, turn_triangles(w, turned))
+MAKE(radius_in_units, w->cube.radius = 2000)
+MAKE(middle_off, w->cube.center[0] = 1000)
+MAKE(normals_0, w->cube.normal = (const zs_q1_15(*)[3])no_normal)
+MAKE(face_normals_0, w->cube.face_normal = (const zs_q1_15(*)[3])no_normal)
+MAKE(uv_0, w->cube.uv = (const int16_t(*)[2])no_uv)
+MAKE(palette_null, w->texture.palette = NULL)
+MAKE(texel_null, w->texture.texel = NULL)
+MAKE(format_null, w->texture.format = NULL)
+MAKE(colors_0, w->texture.n_colors = 0)
+MAKE(flat_with_texture, w->red.shader = &zs_shade_flat)
+MAKE(smooth_with_texture, w->red.shader = &zs_shade_smooth)
+MAKE(two_of_one, w->scene.n_instances = 2)
+MAKE(in_one_place, w->instance[1].pose = w->instance[0].pose)
+MAKE(glass_first, near_first(w))
+MAKE(diffuse_1000, w->scene.light.diffuse = 1000; w->scene.light.ambient = 300)
+MAKE(ambient_full, w->scene.light.ambient = w->scene.light.diffuse = ZS_Q16_ONE)
+MAKE(from_behind, w->scene.light.dir[2] = -ZS_Q30_ONE)
+MAKE(no_lamps, w->lighting.n_lamps = 0)
+MAKE(lamp_range_1, w->lamp.range = 1)
+MAKE(spot_away, w->lamp.dir[2] = ZS_Q30_ONE)
+MAKE(spot_angles, w->lamp.inner = ZS_DEGREES(40); w->lamp.outer = ZS_DEGREES(50))
+MAKE(no_lines, w->lines.primitive.n = 0)
+MAKE(wide_lines, w->lines.width = 100)
+MAKE(lines_of_none, w->red.shader = &zs_shade_none)
+MAKE(no_text, w->item.kind = &zs_item_text)
+MAKE(hooks_0, w->scene.n_resolves = 0)
+MAKE(hook_null, w->scene.resolve = NULL)
+MAKE(subpixel_16, w->config.subpixel_bits = 16)
+MAKE(depth_24, w->config.depth_bits = 24)
+MAKE(step_40000, w->instance[0].pose.scale = 40 * ZS_Q16_ONE)
+MAKE(height_1, w->camera_err = zs_camera_perspective(&w->camera, ZS_DEGREES(45), 1, 1000, 20000);
+     w->camera_err |= zs_camera_look_at(&w->camera, eye_usual, origin, y_up))
+
+#define I0 "instance 0"
+#define BLACK I0 " is black: its material's rgb is 0, and of its mesh, zs_shade_raw reads face_raw alone"
+static const struct mistake more[] = {
+    { "eye in metres", NULL, eye_in_metres, 0, "the camera is inside instance 0, whose radius is 3000" },
+    { "looks away", NULL, looks_away, 0, I0 " is behind the camera: it ends * behind the eye" },
+    { "orbit 30 20", NULL, orbit_in_degrees, 0, "the camera is turned by 30 and raised by 20, of 65536" },
+    { "orbit of 5", NULL, orbit_of_5, 0, "the camera is inside instance 0" },
+    { "camera 0", NULL, camera_0, ZS_ERR_CAMERA, "the camera is refused: near = 0 and far = 0" },
+    { "near in units", NULL, near_in_units, 0, I0 " is out of view: it begins * beyond far = 0.305" },
+    { "focal in px", NULL, focal_in_px, ZS_ERR_CAMERA, "the camera is refused: its focal length is 0 px" },
+    { "focal in q16", NULL, focal_q16, 0, I0 ": * triangles are smaller than a pixel: it is 0.001 px" },
+    { "height 1", NULL, height_1, 0, I0 ": * triangles are smaller than a pixel: it is 1.* px" },
+    { "eye in q16", NULL, eye_q16, 0, I0 " is out of view: it begins * beyond far = 20000" },
+    { "pos in q16", NULL, pos_q16, 0, I0 " is beside the picture: * 6553600 to the right" },
+    { "scale in q8", NULL, scale_q8, 0, I0 ": * triangles are smaller than a pixel" },
+    { "no scale", NULL, no_scale, 0, I0 ": * triangles are smaller than a pixel" },
+    { "a step of 40000", NULL, step_40000, ZS_ERR_RANGE,
+      I0 " is refused: it is too large: 2 steps, of 40000 world units each; steps of 32767 units are the most" },
+    { "mirrored", NULL, mirrored, ZS_ERR_RANGE, I0 " is refused: pose.rot is no rotation" },
+    { "rgb of 5 bits", NULL, rgb_565, 0, "all colours are dark: a channel of material.rgb has 8 bits" },
+    { "rgb of 0 and 1", NULL, rgb_of_1, 0, "all that is drawn is black: colours, texture or lamps are" },
+    { "vertex_rgb, flat", NULL, vertex_rgb, 0, BLACK },
+    { "face_rgb, smooth", smooth, face_rgb, 0, BLACK },
+    { "face_raw, flat", NULL, face_raw, 0, BLACK },
+    { "n_tris of numbers", NULL, n_tris_36, 0, I0 ": 30 of 36 triangles name a vertex twice, and are never drawn" },
+    { "an array half filled", NULL, half_empty, 0, I0 ": 6 of 12 triangles name a vertex twice" },
+    { "wound both ways", NULL, half_turned, 0, I0 ": triangles 0 and 1 of its mesh are neighbours, and wound" },
+    { "radius in units", NULL, radius_in_units, 0, I0 ": mesh.radius is 2000 steps of the mesh, and 2 holds" },
+    { "centre", NULL, middle_off, 0, I0 " is out of view", 2 },
+    { "normals 0", smooth, normals_0, 0, I0 ": all normals of its mesh are 0: it gets ambient light alone" },
+    { "face normals 0", NULL, face_normals_0, 0, I0 ": all normals of its mesh are 0" },
+    { "face normals inwards", NULL, face_normals_inwards, 0, I0 ": mesh.face_normal points away * 12 of 12" },
+    { "uv 0", textured, uv_0, 0, I0 ": all of mesh.uv is 0: one texel is all that is seen" },
+    { "no palette", textured, palette_null, ZS_ERR_NULL, I0 " is refused: its texture's palette is NULL" },
+    { "no texel", textured, texel_null, ZS_ERR_NULL, I0 " is refused: its texture's texel is NULL" },
+    { "no format", textured, format_null, ZS_ERR_NULL, I0 " is refused: its texture's format is NULL" },
+    { "no colours", textured, colors_0, 0, I0 ": its texture has a palette whose number of colours" },
+    { "a texture, flat", textured, flat_with_texture, 0, I0 " has a texture, and its shader reads none" },
+    { "a texture, smooth", textured, smooth_with_texture, 0, I0 " has a texture, and its shader reads none" },
+    { "two of one", NULL, two_of_one, ZS_ERR_NULL, "instance 1 is refused: mesh is NULL" },
+    { "in one place", world_two, in_one_place, 0, "instance 1 is hidden by instance 0: the same mesh in the same" },
+    { "glass first", glass_behind, glass_first, 0, "instance 1 is behind instance 0, which is transparent, and" },
+    { "diffuse 1000", lit_right, diffuse_1000, 0, "the light's ambient is 300/65536, its diffuse 1000/65536: 1 is" },
+    { "ambient full", lit_right, ambient_full, 0, "the light's ambient is full, so diffuse adds nothing" },
+    { "from behind", lit_right, from_behind, 0, "the light falls on nothing that is seen: its dir points from" },
+    { "no lamps", with_lamps, no_lamps, 0, "all that is drawn is black: * scene.light is none" },
+    { "range 1", with_spot, lamp_range_1, 0, "all that is drawn is black: * at range, half and dir" },
+    { "spot away", with_spot, spot_away, 0, "all that is drawn is black: * at range, half and dir" },
+    { "spot angles", with_spot, spot_angles, ZS_ERR_RANGE, I0 " is refused: its material has a field out of range" },
+    { "no lines", with_lines, no_lines, 0, I0 " has nothing to draw: the n of its lines or points is 0" },
+    { "wide lines", with_lines, wide_lines, ZS_ERR_RANGE, I0 " is refused: the width of its lines, or the size" },
+    { "lines of no colour", with_lines, lines_of_none, 0, I0 ": 4 triangles are drawn and colour no pixel" },
+    { "no text", with_overlay, no_text, 0, "resolve hook 0 changes no pixel" },
+    { "n_resolves 0", with_overlay, hooks_0, 0, "scene.resolve is given, and no hook is called: n_resolves is 0" },
+    { "no hook", with_overlay, hook_null, ZS_ERR_NULL, "scene.resolve, or draw of a hook, is NULL" },
+    { "16 sub-pixel bits", NULL, subpixel_16, ZS_ERR_SIZE, "config.subpixel_bits is 16: it takes 8, or 4" },
+    { "24 depth bits", NULL, depth_24, ZS_ERR_DEPTH, "config.depth_bits is 24: it takes 8 to 16" },
+};
+
+static void more_mistakes(void **state)
+{
+    for (size_t k = 0; k < sizeof more / sizeof more[0]; k++)
+        check_mistake(&more[k]);
+}
+
+/* A large picture without accelerators is slow. */
+static void no_accelerators(void **state)
+{
+    struct world w;
+    struct words words;
+    uint32_t said;
+    for (int large = 0; large < 2; large++) {
+        world_cube(&w);
+        w.config.fast = NULL;
+        w.config.width = large ? 320 : W;
+        w.config.height = large ? 240 : H;
+        w.camera.focal *= (uint32_t)(w.config.height / H);
+        assert_int_equal(world_hear(&w, &words, &said), ZS_OK);
+        assert_int_equal(said, large);
+    }
+    assert_non_null(strstr(words.text, "config.fast is NULL: accelerators (zs_fast.h) draw the same frame in less"));
 }
 
 /* ---- Nothing is wrong ------------------------------------------------------------------------ */
@@ -1293,18 +1499,20 @@ static int right_case(uint64_t seed)
         for (int k = 0; k < 3; k++)
             w.instance[i].pose.pos[k] = at[k] + (i ? either(&p, 4 * radius) : 0);
     w.scene.background = (uint16_t)prng_next(&p);
-    if (prng_pick(&p, 2)) {
-        const int32_t dir[3] = { either(&p, 100), 101, either(&p, 100) };
-        CASE_CHECK(zs_unit(w.scene.light.dir, dir) == ZS_OK);
-        w.scene.light.ambient = (zs_uq16_16)prng_range(&p, ZS_Q16_ONE / 6, ZS_Q16_ONE);
-        w.scene.light.diffuse = (zs_uq16_16)prng_range(&p, ZS_Q16_ONE / 20, ZS_Q16_ONE);
-    }
     const int32_t near = distance / 10 + 1, far = distance * 30;
     const int perspective = prng_pick(&p, 4) != 0;
     CASE_CHECK((perspective ? zs_camera_perspective(&w.camera, (zs_turn)prng_range(&p, ZS_DEGREES(20), ZS_DEGREES(90)),
                                                     H, near, far)
                             : zs_camera_orthographic(&w.camera, prng_range(&p, 3, 8) * radius, near, far)) == ZS_OK);
     CASE_CHECK(zs_camera_orbit(&w.camera, at, distance, (zs_turn)prng_next(&p), (int16_t)either(&p, 16000)) == ZS_OK);
+    if (prng_pick(&p, 2)) {
+        int32_t dir[3]; /* from the camera's side, so that it falls on what is seen */
+        for (int k = 0; k < 3; k++)
+            dir[k] = either(&p, 50) + (w.camera.rot[6 + k] >> 23);
+        CASE_CHECK(zs_unit(w.scene.light.dir, dir) == ZS_OK);
+        w.scene.light.ambient = (zs_uq16_16)prng_range(&p, ZS_Q16_ONE / 6, ZS_Q16_ONE);
+        w.scene.light.diffuse = (zs_uq16_16)prng_range(&p, ZS_Q16_ONE / 20, ZS_Q16_ONE);
+    }
     w.config.depth = !perspective ? &zs_depth_linear : prng_pick(&p, 2) ? &zs_depth_float : &zs_depth_recip;
     picture_any_way(&p, &w.config, (int32_t)n, (int32_t)n);
     w.config.strip_h = (uint16_t)prng_range(&p, 4, H);
@@ -1436,8 +1644,10 @@ static void at_most_16(void **state)
     struct words words;
     uint32_t said;
     world_cube(&w);
-    for (int k = 0; k < 40; k++)
+    for (int k = 0; k < 40; k++) {
         many[k] = w.instance[0];
+        many[k].pose.pos[1] = k; /* not two in one place */
+    }
     w.scene.instance = many;
     w.scene.n_instances = 40;
     w.config.max_tris = w.config.max_verts = 500;
@@ -1460,6 +1670,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(it_is_slow),
     cmocka_unit_test(one_pass_is_one),
     cmocka_unit_test(errors_name_the_thing),
+    cmocka_unit_test(more_mistakes),
+    cmocka_unit_test(no_accelerators),
     cmocka_unit_test(scenes_are_right),
     cmocka_unit_test(examples_are_right),
     cmocka_unit_test(unusual_is_right),

@@ -54,6 +54,10 @@ int zs_explain_unseen(struct zs_explainer *e, uint32_t i, struct zs_seen *seen);
 void zs_explain_fate(struct zs_explainer *e, uint32_t i);
 /* Say what is wrong with the numbers of instance i. seen 0: zs_explain_unseen was called for it. */
 void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen);
+/* Say what is wrong with its mesh and its texture; mesh, texture: 1 if no instance before has it. */
+void zs_explain_mesh(struct zs_explainer *e, uint32_t i, int mesh, int texture);
+/* Say that the camera's angles were typed as degrees. */
+void zs_explain_camera_turned(struct zs_explainer *e);
 /* Say what is wrong with the order of instances without depth memory, or with near and far. */
 void zs_explain_depth(struct zs_explainer *e);
 /* Say what is wrong with the resolve hooks. */
@@ -61,6 +65,9 @@ void zs_explain_hooks(struct zs_explainer *e);
 
 /* A sphere's width on the screen, uq_16 px, where it is ahead; below 2^51. */
 uint64_t zs_explain_size(const struct zs_explainer *e, const struct zs_bounds *b);
+
+/* Return 1 if the eye is in the sphere. */
+int zs_explain_eye_inside(const struct zs_bounds *b);
 
 /* The bounding sphere of an instance that zs_frame_begin accepts. */
 static inline void zs_explain_bounds(const struct zs_explainer *e, uint32_t i, struct zs_bounds *b)

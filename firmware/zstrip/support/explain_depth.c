@@ -10,6 +10,7 @@
 #include "core/view.h"
 #include "support/explain.h"
 #include "zs_damage.h"
+#include "zs_shader.h"
 
 #define KEYS_FEW 16u  /* an instance of fewer keys from front to back shows its back in its front */
 #define ORDER_MAX 64u /* instances whose order is looked at */
@@ -63,21 +64,35 @@ static void say_keys(struct zs_explainer *e)
 
 /* ---- Order ----------------------------------------------------------------------------------- */
 
-/* Without depth memory: one that lies wholly behind another, and is drawn after it. */
+/* Return 1 if instance k lies wholly behind i, and both overlap on the screen. */
+static int behind(const struct zs_explainer *e, uint32_t i, uint32_t k)
+{
+    struct zs_bounds near_b, far_b;
+    struct zs_box near_box, far_box;
+    return inner_box(e, i, &near_b, &near_box) && inner_box(e, k, &far_b, &far_box) &&
+           far_b.c[2] - far_b.r >= near_b.c[2] + near_b.r && near_box.x1 > far_box.x0 &&
+           far_box.x1 > near_box.x0 && near_box.y1 > far_box.y0 && far_box.y1 > near_box.y0;
+}
+
+/* One that lies behind another, and is drawn after it: without depth memory, or behind a
+ * transparent one, which writes no keys. */
 static void say_order(struct zs_explainer *e)
 {
     const uint32_t n = zs_minu32(e->scene->n_instances, ORDER_MAX);
     for (uint32_t i = 0; i < n; i++)
         for (uint32_t k = i + 1; k < n; k++) {
-            struct zs_bounds near_b, far_b;
-            struct zs_box near_box, far_box;
-            if (!inner_box(e, i, &near_b, &near_box) || !inner_box(e, k, &far_b, &far_box) ||
-                far_b.c[2] - far_b.r < near_b.c[2] + near_b.r || near_box.x1 <= far_box.x0 ||
-                far_box.x1 <= near_box.x0 || near_box.y1 <= far_box.y0 || far_box.y1 <= near_box.y0)
+            const struct zs_instance *const in = e->scene->instance;
+            if (e->r->depth && (!in[i].material->shader->layer || in[k].material->shader->layer))
+                continue;
+            if (!behind(e, i, k))
                 continue;
             ZS_SAY(e,
-                   "instance % is behind instance % and drawn over it: without depth memory, "
-                   "list far ones first, or take ZS_RENDERER and zs_depth_float.",
+                   e->r->depth ? "instance % is behind instance %, which is transparent, and drawn "
+                                 "over it: list transparent ones last, or take "
+                                 "zs_method_transparent."
+                               : "instance % is behind instance % and drawn over it: without depth "
+                                 "memory, list far ones first, or take ZS_RENDERER and "
+                                 "zs_depth_float.",
                    k, i);
             return;
         }
@@ -86,9 +101,9 @@ static void say_order(struct zs_explainer *e)
 void zs_explain_depth(struct zs_explainer *e)
 {
     const struct zs_config *const c = &e->r->config;
-    if (!e->r->depth && c->method == &zs_method_buffer)
+    if (c->method == &zs_method_buffer)
         say_order(e);
-    else if (e->r->depth)
+    if (e->r->depth)
         say_keys(e);
 }
 

@@ -1,5 +1,5 @@
 /* What becomes of an instance: where it is, what its triangles come to, and what is wrong with its
- * numbers, its mesh and its texture.
+ * numbers.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,13 +8,12 @@
 #include "core/primitive.h"
 #include "core/usual.h"
 #include "support/explain.h"
-#include "zs_check.h"
+#include "zs_shader.h"
 
-#define TYPED 4096u  /* a scale below this may have been typed as a whole number */
-#define SMALL_PX 4u  /* an instance of fewer pixels across shows nothing of its mesh */
-#define FEW_PX 16u   /* the same of most of its triangles */
-#define EARLIER 16u  /* instances before one in which its mesh or texture is looked for */
-#define REPEATS 1024 /* of a texture over a mesh, above which it is noise */
+#define TYPED 4096u /* a scale below this may have been typed as a whole number */
+#define SMALL_PX 4u /* an instance of fewer pixels across shows nothing of its mesh */
+#define FEW_PX 16u  /* the same of most of its triangles */
+#define EARLIER 16u /* instances before one in which its mesh or texture is looked for */
 
 /* ---- Places ---------------------------------------------------------------------------------- */
 
@@ -29,8 +28,7 @@ uint64_t zs_explain_size(const struct zs_explainer *e, const struct zs_bounds *b
     return zs_muldiv_u64(across, c->focal >> 16, (uint64_t)z); /* <= 2^12 * 2^39 */
 }
 
-/* Return 1 if the eye is in the sphere. */
-static int eye_inside(const struct zs_bounds *b)
+int zs_explain_eye_inside(const struct zs_bounds *b)
 {
     int64_t most = b->r; /* < 2^48 */
     int shift = 0;
@@ -78,7 +76,7 @@ static void say_rejected(struct zs_explainer *e, uint32_t i, const struct zs_bou
     const struct zs_camera *const c = &e->r->camera;
     const uint32_t small = s->tris_empty + s->tris_zero;
     const uint32_t n = s->tris_in, beside = s->tris_offscreen + s->tris_frustum;
-    if (eye_inside(b) && s->tris_facing >= n / 4u)
+    if (zs_explain_eye_inside(b) && s->tris_facing >= n / 4u)
         ZS_SAY(e,
                "the camera is inside instance %, whose radius is $: move it out, lower its "
                "scale, or draw its inner side (ZS_CULL_NONE).",
@@ -142,7 +140,11 @@ int zs_explain_unseen(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
     *seen = none;
     zs_explain_bounds(e, i, &b);
     if (zs_primitives_of(in) == 0) {
-        ZS_SAY(e, "instance % has nothing to draw: mesh.n_tris is 0.", i);
+        ZS_SAY(e,
+               in->material->primitive
+                   ? "instance % has nothing to draw: the n of its lines or points is 0."
+                   : "instance % has nothing to draw: mesh.n_tris is 0.",
+               i);
         return 1;
     }
     if (zs_cull_sphere(&b, &e->r->camera, &e->r->view)) {
@@ -191,7 +193,7 @@ void zs_explain_fate(struct zs_explainer *e, uint32_t i)
  * and not made a turn by ZS_DEGREES; else 0. */
 static uint32_t typed_degrees(zs_q2_30 s)
 {
-    static const uint16_t usual[] = { 30, 45, 60, 90, 120, 135, 180, 270 };
+    static const uint16_t usual[] = { 15, 20, 30, 45, 60, 90, 120, 135, 180, 270 };
     for (uint32_t k = 0; k < sizeof usual / sizeof usual[0]; k++)
         if (zs_size32((int32_t)zs_size32(s) - zs_sin(usual[k])) < 64u)
             return usual[k];
@@ -214,145 +216,40 @@ static void say_turned(struct zs_explainer *e, uint32_t i)
                turned);
 }
 
-/* ---- Meshes ---------------------------------------------------------------------------------- */
-
-/* The least radius that holds all vertices. */
-static uint32_t least_radius(const struct zs_mesh *m)
+void zs_explain_camera_turned(struct zs_explainer *e)
 {
-    uint64_t most = 0; /* < 3 * 2^32 */
-    for (uint32_t v = 0; v < m->n_verts; v++) {
-        uint64_t square = 0;
-        for (int k = 0; k < 3; k++) {
-            const int64_t d = m->pos[v][k] - m->center[k];
-            const int64_t end = d + (d >= 0 && m->pos_lo && m->pos_lo[v][k]); /* pos_lo adds */
-            square += (uint64_t)(end * end);
-        }
-        most = square > most ? square : most;
-    }
-    const uint32_t root = zs_isqrt64(most);
-    return root + ((uint64_t)root * root < most);
-}
-
-static void say_flaw(struct zs_explainer *e, uint32_t i)
-{
-    const struct zs_mesh *const m = e->scene->instance[i].mesh;
-    uint32_t at;
-    const enum zs_flaw flaw = zs_mesh_check(m, &at);
-    if (flaw == ZS_FLAW_NONE)
-        return;
-    ZS_PIECE(e, "instance %: ", i);
-    if (flaw == ZS_FLAW_INDEX)
-        ZS_SAY(e, "triangle % of its mesh names a vertex that is not there: n_verts is %.", at,
-               m->n_verts);
-    else if (flaw == ZS_FLAW_SPHERE)
-        ZS_SAY(e, "vertex % lies outside the mesh's sphere: radius is %, and % holds all of them.",
-               at, m->radius, least_radius(m));
-    else {
-        ZS_PIECE(e, "its mesh has ");
-        ZS_PIECE(e, zs_flaw_string(flaw));
-        ZS_SAY(e, " (number %).", at);
-    }
-}
-
-/* The normal of triangle t by its winding, times twice its area. |component| < 2^35 */
-static void normal_of(const struct zs_mesh *m, uint32_t t, int64_t n[3])
-{
-    int64_t a[3], b[3]; /* |.| < 2^16.1 */
-    for (int k = 0; k < 3; k++) {
-        const int32_t p = m->pos[m->tri[t][0]][k];
-        a[k] = m->pos[m->tri[t][1]][k] - p;
-        b[k] = m->pos[m->tri[t][2]][k] - p;
-    }
-    for (int k = 0; k < 3; k++)
-        n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-/* A closed mesh has a volume: the sum over its triangles of p . n / 6, below 0 if it is wound
- * inwards. It is closed only if its normals, by area, add up to 0. And normals that are given
- * should point to the side from which a triangle is seen. */
-static void say_winding(struct zs_explainer *e, uint32_t i)
-{
-    const struct zs_instance *const in = &e->scene->instance[i];
-    const struct zs_mesh *const m = in->mesh;
-    const int shift = m->n_tris > 16384u ? 16 : 0; /* |p . n| < 2^51, so sums stay below 2^63 */
-    int64_t sum[3] = { 0, 0, 0 }, volume = 0;
-    uint32_t against = 0;
-    struct zs_bounds b;
-    if (in->material->cull != ZS_CULL_BACK || in->material->primitive)
-        return;
-    for (uint32_t t = 0; t < m->n_tris; t++) {
-        int64_t n[3], flux = 0, lit = 0; /* < 3 * 2^50, < 3 * 2^52 */
-        for (int k = 0; k < 3; k++)
-            if (m->tri[t][k] >= m->n_verts)
-                return; /* it has been said */
-        normal_of(m, t, n);
-        for (int k = 0; k < 3; k++) {
-            flux += m->pos[m->tri[t][0]][k] * n[k];
-            sum[k] += n[k];
-            for (int j = 0; j < 3 && m->normal; j++)
-                lit += m->normal[m->tri[t][j]][k] * n[k];
-        }
-        volume += flux >> shift;
-        against += lit < 0;
-    }
-    zs_explain_bounds(e, i, &b);
-    if (!(sum[0] | sum[1] | sum[2]) && volume < 0 && !eye_inside(&b))
+    const zs_q2_30 *const rot = e->r->camera.rot; /* sines: [2] of yaw, [7] of pitch */
+    const uint32_t yaw = typed_degrees(rot[2]), pitch = typed_degrees(rot[7]);
+    if ((yaw | pitch) && (yaw || zs_size32(rot[2]) < 64u) && (pitch || zs_size32(rot[7]) < 64u) &&
+        rot[0] > 0 && rot[4] > 0)
         ZS_SAY(e,
-               "instance % is wound inwards: its far side is seen from inside; exchange two "
-               "corners of each triangle, or set material.cull to ZS_CULL_FRONT.",
-               i);
-    else if (against > m->n_tris - m->n_tris / 8u)
-        ZS_SAY(e,
-               "instance %: mesh.normal points away from the side that is seen, on % of % "
-               "triangles.",
-               i, against, m->n_tris);
+               "the camera is turned by % and raised by %, of 65536 to a turn: was ZS_DEGREES "
+               "meant?",
+               yaw, pitch);
 }
 
-/* ---- Textures -------------------------------------------------------------------------------- */
-
-/* Texture coordinates that span less than a texel, or far more than a texture. */
-static void say_uv(struct zs_explainer *e, uint32_t i)
+static int same_pose(const struct zs_pose *a, const struct zs_pose *b)
 {
-    const struct zs_mesh *const m = e->scene->instance[i].mesh;
-    const struct zs_texture *const x = e->scene->instance[i].material->texture;
-    int32_t span[2] = { 0, 0 };
-    if (!m->uv || m->uv_bits > 15u || x->log2_w > ZS_TEXTURE_LOG2_MAX ||
-        x->log2_h > ZS_TEXTURE_LOG2_MAX)
-        return; /* say_texture says it */
-    for (int k = 0; k < 2; k++) {
-        int32_t least = 32767, most = -32768;
-        for (uint32_t v = 0; v < m->n_verts; v++) {
-            least = zs_min32(least, m->uv[v][k]);
-            most = zs_max32(most, m->uv[v][k]);
-        }
-        span[k] = most - least; /* < 2^16; below 0 without vertices */
-    }
-    const int32_t most = zs_max32(span[0], span[1]);
-    if (most <= 0)
-        return;
-    if ((span[0] << x->log2_w) >> m->uv_bits == 0 && (span[1] << x->log2_h) >> m->uv_bits == 0)
-        ZS_SAY(e,
-               "instance %: mesh.uv spans less than a texel: % is all of the texture with "
-               "uv_bits %.",
-               i, 1 << m->uv_bits, m->uv_bits);
-    else if (most >> m->uv_bits >= REPEATS)
-        ZS_SAY(e, "instance %: mesh.uv repeats the texture % times: uv_bits is %.", i,
-               most >> m->uv_bits, m->uv_bits);
+    int differ = a->scale != b->scale;
+    for (int k = 0; k < 9; k++)
+        differ |= a->rot[k] != b->rot[k] || a->pos[k % 3] != b->pos[k % 3];
+    return !differ;
 }
 
-static void say_texture(struct zs_explainer *e, uint32_t i)
+/* The same mesh in the same place, drawn before: this one's pixels are never nearer. */
+static void say_doubled(struct zs_explainer *e, uint32_t i, uint32_t k)
 {
-    const struct zs_texture *const x = e->scene->instance[i].material->texture;
-    uint32_t at;
-    if (x->format != &zs_texel_565 && x->format != &zs_texel_pal8 && x->format != &zs_texel_pal4)
-        return; /* one with alpha (zs_filter.h) */
-    const enum zs_flaw flaw = zs_texture_check(x, &at);
-    if (flaw == ZS_FLAW_NONE)
+    const struct zs_instance *const in = &e->scene->instance[i], *const was = in - (i - k);
+    const struct zs_material *const m = in->material, *const before = was->material;
+    if (in->mesh != was->mesh || !same_pose(&in->pose, &was->pose) || in->depth_state ||
+        was->depth_state || m->primitive || before->primitive || m->cull != before->cull ||
+        m->shader->position != before->shader->position || !before->shader->opaque || !e->r->depth)
         return;
-    ZS_PIECE(e, "instance %: its texture has ", i);
-    ZS_PIECE(e, zs_flaw_string(flaw));
-    ZS_SAY(e, " (number %).", at);
+    ZS_SAY(e, "instance % is hidden by instance %: the same mesh in the same place; move it.", i,
+           k);
 }
+
+/* ---- All of it ------------------------------------------------------------------------------- */
 
 void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen)
 {
@@ -364,15 +261,11 @@ void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen)
         mesh = mesh == i && other->mesh == in->mesh ? k : mesh;
         texture = texture == i && other->material->texture == x ? k : texture;
     }
-    if (seen)
+    if (seen) {
         (void)say_scale(e, i);
-    say_turned(e, i);
-    if (mesh == i) {
-        say_flaw(e, i);
-        say_winding(e, i);
+        if (mesh != i)
+            say_doubled(e, i, mesh);
     }
-    if (x && texture == i)
-        say_texture(e, i);
-    if (x && (mesh == i || texture == i))
-        say_uv(e, i);
+    say_turned(e, i);
+    zs_explain_mesh(e, i, mesh == i, texture == i);
 }

@@ -101,9 +101,11 @@ static void say_range(struct zs_explainer *e, const struct zs_instance *in)
         ZS_SAY(e, "depth_state.func is %.", in->depth_state->func);
     else if ((in->mesh->radius + 1u) * (scale >> 16) >> 16 >= (uint64_t)ZS_WORLD_MAX || scale >> 47)
         ZS_SAY(e,
-               "it is too large: % steps, of $ world units each, and a radius of % units is the "
-               "most; 1 is ZS_Q16_ONE in mesh.scale and pose.scale.",
+               "it is too large: % steps, of $ world units each; steps of 32767 units are the "
+               "most, and a radius of % units; 1 is ZS_Q16_ONE in mesh.scale and pose.scale.",
                in->mesh->radius, (int64_t)(scale >> 16), ZS_WORLD_MAX);
+    else if (in->material->primitive)
+        ZS_SAY(e, "the width of its lines, or the size of its points, is more than 64 px.");
     else
         ZS_SAY(e, "its material has a field out of range: lamps, flags, or a shine that "
                   "zs_shine_set has not set.");
@@ -117,15 +119,23 @@ static void say_mesh(struct zs_explainer *e, const struct zs_instance *in, int e
         ZS_SAY(e, "mesh.n_verts is %, and 65535 is the most.", mesh->n_verts);
     } else if (in->material->cull > ZS_CULL_NONE) {
         ZS_SAY(e, "material.cull is %.", in->material->cull);
+    } else if (in->material->texture && err == ZS_ERR_NULL && !in->material->texture->texel) {
+        ZS_SAY(e, "its texture's texel is NULL.");
+    } else if (in->material->texture && err == ZS_ERR_NULL && !in->material->texture->format) {
+        ZS_SAY(e, "its texture's format is NULL: take &zs_texel_565, or another.");
+    } else if (in->material->texture && err == ZS_ERR_NULL && !in->material->texture->palette &&
+               in->material->texture->format != &zs_texel_565) {
+        ZS_SAY(e, "its texture's palette is NULL.");
     } else {
-        ZS_PIECE(e, "its shader reads what is NULL, of");
+        ZS_PIECE(e, "its shader needs what is NULL:");
         if (!mesh->normal)
-            ZS_PIECE(e, " mesh.normal");
+            ZS_PIECE(e, " mesh.normal,");
         if (!mesh->uv)
-            ZS_PIECE(e, " mesh.uv");
+            ZS_PIECE(e, " mesh.uv,");
         if (!in->material->texture)
-            ZS_PIECE(e, " material.texture");
-        ZS_SAY(e, err == ZS_ERR_NULL ? " and what its material has besides." : ".");
+            ZS_PIECE(e, " material.texture,");
+        ZS_SAY(e, err == ZS_ERR_NULL ? " or more of its material (lighting, a map)."
+                                     : " or one of these.");
     }
 }
 
@@ -208,8 +218,8 @@ static void say_config(struct zs_explainer *e, const struct zs_config *c)
     say_field(e, "config.max_verts", c->max_verts, 3, ZS_POOL_MAX);
     say_field(e, "config.varyings", c->varyings, 0, ZS_VARYINGS_MAX);
     say_field(e, "config.buffers", c->buffers, 0, 2);
-    if (c->subpixel_bits != 4 && c->subpixel_bits)
-        say_field(e, "config.subpixel_bits", c->subpixel_bits, 8, 8);
+    if (c->subpixel_bits != 4 && c->subpixel_bits != 8 && c->subpixel_bits)
+        ZS_SAY(e, "config.subpixel_bits is %: it takes 8, or 4.", c->subpixel_bits);
     if (c->depth_bits)
         say_field(e, "config.depth_bits", c->depth_bits, 8, 16);
     if (!c->depth)
