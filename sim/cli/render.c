@@ -32,9 +32,6 @@
 #include "framing.h"
 
 #define N_OUTPUTS 4
-#define GUARD_PX (ZS_GUARD_PX - 64.0) /* safely inside the guard band */
-#define PIECES 7u     /* triangles that clipping can make of one */
-#define NEW_VERTS 9u  /* vertices of what it makes */
 
 /* One command, from its options to its frame. Whatever is not set is all zero. */
 struct job {
@@ -60,19 +57,6 @@ struct job {
 
 /* ---- Frame ----------------------------------------------------------------------------------- */
 
-/* Could any triangle need clipping? By the model's sphere. */
-static int may_clip(const struct sim_view *v, const struct sim_model *model)
-{
-    double to[3];
-    sim_sub(to, model->center, v->eye);
-    const double z = -sim_dot(to, v->back), r = model->radius;
-    const double x = fabs(sim_dot(to, v->right)) + r, y = fabs(sim_dot(to, v->up)) + r;
-    if (z - r <= v->near_z || z + r >= v->far_z)
-        return 1;
-    const double px = v->orthographic ? v->height / v->span : v->focal / (z - r);
-    return fmax(x, y) * px > GUARD_PX;
-}
-
 static uint16_t pool_size(long wanted, uint64_t ample, uint64_t least)
 {
     const uint64_t n = wanted > 0 ? (uint64_t)wanted : ample < least ? least : ample;
@@ -83,12 +67,14 @@ static void set_config(struct job *job)
 {
     const struct sim_options *o = &job->options;
     struct zs_config *c = &job->config;
-    const uint64_t n = job->model.n_tris;
-    const int clips = may_clip(&job->view, &job->model);
+    const int clips = sim_view_clips(&job->view, job->model.center, job->model.radius);
+    struct sim_pools ample = sim_pools_of(job->model.n_tris, job->scene->n_verts, clips);
+    if (sim_effects_any(&o->effects))
+        ample = sim_effect_pools(&job->effect, &job->model, job->scene, &job->view);
     sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], sim_scene_varyings(&job->scene->scene));
     c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
-    c->max_tris = pool_size(o->tris, clips ? n * PIECES : n, 1);
-    c->max_verts = pool_size(o->verts, job->scene->n_verts + (clips ? n * NEW_VERTS : 0), 3);
+    c->max_tris = pool_size(o->tris, ample.tris, 1);
+    c->max_verts = pool_size(o->verts, ample.verts, 3);
     c->buffers = (uint8_t)o->buffers;
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;

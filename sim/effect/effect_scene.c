@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "sim.h"
+#include "vec.h"
 #include "zs_supersample.h"
 
 /* ---- Hooks ----------------------------------------------------------------------------------------------------- */
@@ -79,6 +80,57 @@ void sim_effect_free(struct sim_effect_scene *s)
     sim_effect_ground_free(s->ground);
     SIM_FREE(s->instance, s->hooks);
     memset(s, 0, sizeof *s);
+}
+
+/* ---- Pools ----------------------------------------------------------------------------------------------------- */
+
+/* Could any triangle of an instance beside the model be clipped? By its sphere; view: as the camera sees. */
+static int may_clip(const struct zs_instance *in, const struct sim_scene *from, const struct sim_view *view)
+{
+    const struct zs_mesh *mesh = in->mesh;
+    const double step = (mesh->scale ? mesh->scale / 65536.0 : 1.0) * (in->pose.scale ? in->pose.scale / 65536.0 : 1.0);
+    const double far = sqrt(1.0 * mesh->center[0] * mesh->center[0] + 1.0 * mesh->center[1] * mesh->center[1] +
+                            1.0 * mesh->center[2] * mesh->center[2]);
+    double center[3];
+    for (int k = 0; k < 3; k++)
+        center[k] = from->origin[k] + from->unit * in->pose.pos[k];
+    return sim_view_clips(view, center, (mesh->radius + far) * step * from->unit);
+}
+
+struct sim_pools sim_effect_pools(const struct sim_effect_scene *s, const struct sim_model *model,
+                                  const struct sim_scene *from, const struct sim_view *view)
+{
+    const struct sim_effect_ground *g = s->ground;
+    struct sim_view seen = *view;
+    struct sim_pools all = { 0, 0 };
+    seen.near_z = (double)s->camera.z_near / 65536.0 * from->unit;
+    seen.far_z = (double)s->camera.z_far / 65536.0 * from->unit;
+    if (s->samples > 1) {
+        seen.focal *= 2.0;
+        seen.height *= 2;
+    }
+    double image[3] = { 0 }; /* of the model's middle in the floor */
+    if (g != NULL) {
+        double to[3];
+        sim_sub(to, model->center, g->floor.point);
+        for (int k = 0; k < 3; k++)
+            image[k] = model->center[k] - 2.0 * sim_dot(to, g->floor.up) * g->floor.up[k];
+    }
+    const int mirrored = g != NULL && g->mirror.ops != NULL;
+    const int clips[2] = { sim_view_clips(&seen, model->center, model->radius),
+                           mirrored && sim_view_clips(&seen, image, model->radius) };
+    for (uint32_t i = 0; i < s->scene.n_instances; i++) {
+        const struct zs_instance *in = &s->instance[i];
+        const int beside = g != NULL && (in->mesh == &g->floor.mesh || (in->mesh >= g->shadow && in->mesh <
+                                                                        g->shadow + g->n_shadows));
+        for (int k = 0; k <= (mirrored && !beside); k++) {
+            const struct sim_pools one = sim_pools_of(in->mesh->n_tris, in->mesh->n_verts,
+                                                      beside ? may_clip(in, from, &seen) : clips[k]);
+            all.tris += one.tris;
+            all.verts += one.verts;
+        }
+    }
+    return all;
 }
 
 /* ---- Frames ---------------------------------------------------------------------------------------------------- */

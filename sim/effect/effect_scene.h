@@ -33,6 +33,10 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_model *model,
                     const struct sim_view *view, const struct sim_options *o);
 void sim_effect_free(struct sim_effect_scene *scene);
 
+/* Pools that hold in one pass all that it draws: the model, the floor, shadows, and the model in a mirror. */
+struct sim_pools sim_effect_pools(const struct sim_effect_scene *scene, const struct sim_model *model,
+                                  const struct sim_scene *from, const struct sim_view *view);
+
 /* Draw it; config is that of a plain frame. Return as sim_frame_render_to. */
 int sim_effect_draw(const struct sim_effect_scene *scene, struct sim_frame *frame, const struct zs_config *config,
                     const char *what, const struct zs_sink *to);

@@ -154,3 +154,27 @@ const struct zs_depth *const sim_depths[SIM_DEPTH_DEFAULT] = {
     [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear, [SIM_DEPTH_E3M13] = &zs_depth_e3m13,
     [SIM_DEPTH_E4M12] = &zs_depth_e4m12, [SIM_DEPTH_E5M11] = &zs_depth_e5m11,   [SIM_DEPTH_FLOAT] = &zs_depth_float,
 };
+
+/* ---- Pools ----------------------------------------------------------------------------------------------------- */
+
+#define GUARD_PX (ZS_GUARD_PX - 64.0) /* safely inside the guard band */
+#define PIECES 7u                     /* triangles that clipping can make of one */
+#define NEW_VERTS 9u                  /* vertices of what it makes */
+
+int sim_view_clips(const struct sim_view *v, const double center[3], double radius)
+{
+    double to[3];
+    sim_sub(to, center, v->eye);
+    const double z = -sim_dot(to, v->back);
+    const double x = fabs(sim_dot(to, v->right)) + radius, y = fabs(sim_dot(to, v->up)) + radius;
+    if (z - radius <= v->near_z || z + radius >= v->far_z)
+        return 1;
+    const double px = v->orthographic ? v->height / v->span : v->focal / (z - radius);
+    return fmax(x, y) * px > GUARD_PX;
+}
+
+struct sim_pools sim_pools_of(uint64_t n_tris, uint64_t n_verts, int clips)
+{
+    return (struct sim_pools){ .tris = clips ? n_tris * PIECES : n_tris,
+                               .verts = n_verts + (clips ? n_tris * NEW_VERTS : 0) };
+}

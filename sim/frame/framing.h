@@ -37,6 +37,17 @@ int sim_view_plan(struct sim_view *view, const struct sim_options *o,
 void sim_view_orbit(double eye[3], const struct sim_view *view, const double up[3], double yaw, double pitch,
                     double factor);
 
+/* Could a triangle inside this sphere need clipping? By the near and far planes, and the guard band. center: of the
+ * sphere, its radius: the model's units. */
+int sim_view_clips(const struct sim_view *view, const double center[3], double radius);
+
+/* Pools that hold what is drawn in one pass. */
+struct sim_pools {
+    uint64_t tris, verts;
+};
+/* For a mesh of so many triangles and vertices; clips: some of its triangles may be clipped. */
+struct sim_pools sim_pools_of(uint64_t n_tris, uint64_t n_verts, int clips);
+
 /* The mapping that is meant by the options for a view, one by name: never FLOAT or DEFAULT. */
 enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *view);
 

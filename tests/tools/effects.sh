@@ -234,6 +234,20 @@ pixel mirror 30 10 000000
 look count out/mirror.png ff0000
 [ "$seen" -ge 17000 ] || wrong "$seen pixels show the ball or its image"
 
+# ---- Pools -----------------------------------------------------------------------------------------------------------
+begin one_pass_where_pools_are_not_asked_for # the floor, shadows and the mirror's image count, near planes too
+for with in '--shadow planar' '--shadow map --shade smooth' '--shadow planar --alpha 0.5 --blend screen-door' --mirror \
+    '--mirror --samples 4' '--mirror --eye 90,20,20 --near 1' '--shadow planar --eye 90,20,20 --near 1'; do
+    # shellcheck disable=SC2086
+    effect ample ball.obj $with --stats out/ample.json
+    is "passes of $with" "$(stat_of ample passes)" 1
+done
+effect ample ball.obj --mirror
+effect small ball.obj --mirror --tris 100 --verts 120 --stats out/small.json
+[ "$(stat_of small passes)" -gt 5 ] || wrong "--tris 100 takes $(stat_of small passes) passes"
+is "triangles of --tris 100" "$(stat_of small tris_given)" 100
+same_png ample small
+
 # ---- What is refused -------------------------------------------------------------------------------------------------
 refuse() { # NAME WHAT-THE-LINE-HOLDS MODEL OPTION...    nothing but --out
     begin "refused_$1"
