@@ -63,8 +63,8 @@ struct hal_bus {
     int (*data)(struct hal_bus *bus, const uint8_t *bytes, uint32_t n);
 
     /* Wait until the data is out, the last bit included. Nothing is out: HAL_ERR_NONE at once.
-     * Blocks  for the rest of the transfer, at most a small multiple of its time. Interrupts are on afterwards: where one
-     *         ends the transfer, it could not end with them off.
+     * Blocks  for the rest of the transfer, at most a small multiple of its time. Interrupts are on afterwards:
+     *         where one ends the transfer, it could not end with them off.
      * Return  HAL_ERR_NONE, or why the transfer failed. In both cases nothing is out any more and the bytes are the
      *         caller's. */
     int (*wait)(struct hal_bus *bus);

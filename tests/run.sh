@@ -3,7 +3,8 @@
 # skipped, which parts took longest, and at the end "N passed, N failed".
 # Usage: tests/run.sh BUILD [PATTERN]           only the parts whose name holds PATTERN
 #        tests/run.sh BUILD '' names            what there is
-#        tests/run.sh BUILD '' record           tests/parts.txt with the seconds of the last whole run, on standard output
+#        tests/run.sh BUILD '' record           tests/parts.txt with the seconds of the last whole run, on standard
+#                                               output
 #        tests/run.sh BUILD PATTERN lane LANE   one of the two workers: of use to this script alone
 #
 # tests/parts.txt lists the parts. The longest is started first, unless it waits for another or uses what one that runs
@@ -190,7 +191,8 @@ echo
 head -16 "$logs/times.txt"
 awk '$1 == "all" { printf "%d s, of CPU %d s; every part: '"$logs"'/times.txt\n", $2, $3 }' "$logs/times"
 # more than twice its share is told, not failed; half a second more or less does not count
-awk '$1 != "all" && $6 > 0 && $5 > 2 * $6 + 1 { print "SLOW " $1 ": " $5 " s of CPU, its share is " $6 " s (tests/parts.txt)" }
+awk '$1 != "all" && $6 > 0 && $5 > 2 * $6 + 1 {
+        print "SLOW " $1 ": " $5 " s of CPU, its share is " $6 " s (tests/parts.txt)" }
     $1 != "all" && $6 == "-" { print "NO SHARE " $1 ": it has no seconds in tests/parts.txt" }' "$logs/times"
 cat "$skipped"
 awk '

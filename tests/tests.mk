@@ -4,10 +4,11 @@
 # UBSan and with the kernels' preconditions checked. zsim is built like that too.
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 # make quick: optimised, with what costs next to nothing; where it fails is a signal
-SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
+SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero \
+            -fsanitize-undefined-trap-on-error
 # -g1: lines for the sanitizers' reports; all of -g takes a fifth longer to compile
-TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers -Wno-unused-parameter \
-          $(INC) \
+TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers \
+          -Wno-unused-parameter $(INC) \
           -Itests/lib -DZS_STATS=1 -DZS_VARYINGS_MAX=8 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c

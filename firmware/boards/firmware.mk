@@ -61,7 +61,8 @@ DEFINES =
 
 all: $(ELF)
 ifeq ($(wildcard firmware/boards/$(BOARD)/board.mk),)
-$(error BOARD=$(BOARD): no such board; there are $(notdir $(patsubst %/board.mk,%,$(wildcard firmware/boards/*/board.mk))))
+BOARDS = $(notdir $(patsubst %/board.mk,%,$(wildcard firmware/boards/*/board.mk)))
+$(error BOARD=$(BOARD): no such board; there are $(BOARDS))
 endif
 # What runs images whose ticks are instructions: one takes one virtual nanosecond. Without QEMU_ICOUNT they are not, and
 # a run is over sooner
@@ -92,7 +93,8 @@ NAMING = $(APP_SRC) $(wildcard $(APP_SRC:.c=.h))
 METHODS = $(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
 EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' $(NAMING))
 OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(NAMING))
-CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
+CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) \
+                    $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\
                     $(wildcard firmware/zstrip/*/*.c))
 PANELS = $(if $(shell grep -lE '[<"]panel\.h[>"]' $(NAMING)),$(wildcard hal/panel/*.c))
@@ -107,7 +109,8 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sectio
          -Wno-missing-field-initializers \
          -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes \
          -Ifirmware/scenes/pieces $(GEN) \
-         $(if $(filter 1,$(LEAN)),-DZS_NO_FAST=1) $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
+         $(if $(filter 1,$(LEAN)),-DZS_NO_FAST=1) $(BOARD_FLAGS) \
+         $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
 note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1

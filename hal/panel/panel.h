@@ -127,8 +127,8 @@ uint16_t panel_height(const struct panel *panel);
  * stride   bytes from row to row, even, at least rect->w * 2; 0 means dense (rect->w * 2). Not dense: rows go out
  *          one by one, and all but the last are waited for here; where px is converted, nothing is waited for.
  * Bus      hooks.lock before the window, hooks.unlock at the end of panel_wait, or here on a negative return.
- * Blocks   for the window's commands, after a failure for those of the set-up and for waking (up to 0.12 s); where px is
- *          converted, for that; never for dense pixels of a bus with DMA.
+ * Blocks   for the window's commands, after a failure for those of the set-up and for waking (up to 0.12 s); where
+ *          px is converted, for that; never for dense pixels of a bus with DMA.
  * Cost     of conversion, on a Cortex-M3: 37 instructions a pixel to grey, 49 to one bit, at any rotation. Stack: at
  *          most 288 bytes, the bus's and the hooks' aside.
  * Return   HAL_ERR_NONE; _ARG, PANEL_ERR_STATE, _RECT, _GRAIN, _SCRATCH, HAL_ERR_BUSY: nothing was sent; HAL_ERR_STATE:

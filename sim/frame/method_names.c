@@ -13,8 +13,8 @@
     .fails = "As the depth buffer, bit for bit."
 #define ABOUT_painter \
     .title = "Painter's algorithm", \
-    .take = "Take it for small parts that hold no depth memory and scenes of separate things. It costs a sort of each " \
-            "strip's triangles.", \
+    .take = "Take it for small parts that hold no depth memory and scenes of separate things. It costs a sort of " \
+            "each strip's triangles.", \
     .fails = "Triangles that intersect, overlap in a cycle, or reach far behind what they cover are drawn in the " \
              "wrong order."
 #define ABOUT_depthsort \

@@ -250,7 +250,8 @@ static struct residual residual_of(const double cost[N], const struct probes *p,
 
 static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES])
 {
-    puts("/* Instructions of one of each, cycles on the RP2040 (sim/budget/costs.h says of what): fitted from the probes of\n"
+    puts("/* Instructions of one of each, cycles on the RP2040 (sim/budget/costs.h says of what): "
+         "fitted from the probes of\n"
          " * firmware/scenes/probes.h. Recorded by make costs-record.\n"
          " *\n"
          " * SPDX-License-Identifier: MIT\n"

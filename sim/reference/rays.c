@@ -119,7 +119,8 @@ static double hit(const struct ref_triangle *t, const struct ray *r)
     sim_sub(e2, t->p[2], t->p[0]);
     sim_cross(p, r->to, e2);
     const double det = sim_dot(e1, p); /* > 0: the ray sees the front */
-    if (det == 0.0 || (r->sides && ((t->cull == REF_CULL_BACK && det < 0.0) || (t->cull == REF_CULL_FRONT && det > 0.0))))
+    const int culled = (t->cull == REF_CULL_BACK && det < 0.0) || (t->cull == REF_CULL_FRONT && det > 0.0);
+    if (det == 0.0 || (r->sides && culled))
         return INFINITY;
     sim_sub(s, r->from, t->p[0]);
     sim_cross(q, s, e1);

@@ -3,8 +3,8 @@
 # on the same machine as Armv6-M (M0): instructions, not cycles. On an emulated RP2040 (pico): cycles, and on this
 # machine (host): instructions by callgrind, of some of the runs of study time. BUILD/study/NAME.csv, plots, and
 # BUILD/study/index.html.
-# Usage: sim/study/study.sh BUILD NAME [OPTION...]     options of zsim study: --quick, --full, --redo; NAME time or memory;
-#        CORES='m3 m0' (or m3 m0 pico host), ZSIM and OUT may be set in the environment
+# Usage: sim/study/study.sh BUILD NAME [OPTION...]     NAME time or memory; options of zsim study: --quick, --full,
+#        --redo; CORES='m3 m0' (or m3 m0 pico host), ZSIM and OUT may be set in the environment
 #
 # SPDX-License-Identifier: MIT
 set -eu

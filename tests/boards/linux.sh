@@ -325,7 +325,8 @@ for half in bookworm:1 trixie:2; do
     if why=$(sh tests/boards/linux/packages.sh "$out/$name" "$name"); then
         halves="$halves $half"
     else
-        echo "SKIPPED linux_libgpiod_${half#*:}: nothing was tested on its kernel: $why" # tests/run.sh says it again at its end
+        # tests/run.sh says it again at its end
+        echo "SKIPPED linux_libgpiod_${half#*:}: nothing was tested on its kernel: $why"
     fi
 done
 [ -n "$halves" ] || exit 0

@@ -19,9 +19,9 @@ RAM=65536
 shift=0 # an instruction takes 2^shift ns
 . tests/boards/image.sh
 
-# Boot ELF's image: STEM ELF OPTIONS-OF-QEMU.MJS...   What QEMU says of what it lacks is known, and how often: of a SysTick
-# without clock once, before the first instruction; of $resets resets of a block, into one and out of it each time that
-# the bus is set up. More or less of it, and all else, is trouble.
+# Boot ELF's image: STEM ELF OPTIONS-OF-QEMU.MJS...   What QEMU says of what it lacks is known, and how often: of a
+# SysTick without clock once, before the first instruction; of $resets resets of a block, into one and out of it each
+# time that the bus is set up. More or less of it, and all else, is trouble.
 resets=2
 boot() {
     stem=$1 elf=$2
@@ -35,7 +35,8 @@ boot() {
         $0 == "Timer with period zero, disabling" { timers++; next }
         $0 == "Peripheral reset not implemented" { blocks++; next }
         { print }
-        END { if (timers != 1 || blocks != resets) print timers + 0 " timers without period, " blocks + 0 " resets, not 1 and " resets }
+        END { if (timers != 1 || blocks != resets)
+                  print timers + 0 " timers without period, " blocks + 0 " resets, not 1 and " resets }
     ' "$stem.err"
     grep '^#' "$stem.txt"
 }

@@ -63,7 +63,8 @@ run_scene() {
         node "$out/run.mjs" "$(image_of "$1")" --frames $FRAMES --step $STEP --gap $GAP --xip 1 >"$out/$1.xip.txt" 2>&1
         second=$?
     fi
-    wait $first && [ $second -eq 0 ] || bad "pico_$1" "$(grep -hm1 Error "$out/$1.txt" "$out/$1.gap.txt" "$out/$1.xip.txt")"
+    wait $first && [ $second -eq 0 ] ||
+        bad "pico_$1" "$(grep -hm1 Error "$out/$1.txt" "$out/$1.gap.txt" "$out/$1.xip.txt")"
 }
 
 # ---- Pictures -----------------------------------------------------------------------------------------------------

@@ -20,7 +20,8 @@ else
     elf=$build/fw/$board/frame_$scene.elf
 fi
 image "$board" "$@"
-LOG='-display none -monitor none -serial null -semihosting-config enable=on,target=native -d in_asm,exec,nochain -D /dev/stdout -kernel'
+LOG='-display none -monitor none -serial null -semihosting-config enable=on,target=native'
+LOG="$LOG -d in_asm,exec,nochain -D /dev/stdout -kernel"
 {
     make -s -f firmware/boards/firmware.mk BOARD="$board" B="$build" "$@" QEMU_COUNTS="$LOG" run
     echo "ended with $?" >"$stem.end"

@@ -30,7 +30,8 @@ board lm3s6965 'Cortex-M3, SSD0323 128x64 grey' 65536 sh tests/boards/lm3s6965.s
 board stm32f405 'Cortex-M4, ST7789 240x240' 131072 sh tests/boards/stm32f405.sh "$build"
 printf '%-10s %-34s %-7s %7s %7s    %7s %6s %10s\n' board 'core, panel' scene flash RAM '' stack 'a frame'
 sort -s -k1,1 "$rows" | awk '/ cubes /{ print; next } { last[n++] = $0 } END { for (i = 0; i < n; i++) print last[i] }'
-echo "Bytes; RAM is statics, arena and the stack's reserve, of what the part has; stack is what was used of it. A frame:"
-echo "of drawing, the panel's part not counted; instructions as QEMU counts them, cycles as rp2040js: neither is silicon."
+echo "Bytes; RAM is statics, arena and the stack's reserve, of what the part has; stack is what was used of it."
+echo "A frame: of drawing, the panel's part not counted; instructions as QEMU counts them, cycles as rp2040js:"
+echo "neither is silicon."
 echo "Boards without a panel: make bench (instructions by core), make checksums."
 exit $failed

@@ -68,7 +68,8 @@ wrong=$(awk 'function folder(f) { return sub(/\/.*/, "", f) ? f : "root" }
         may["effect"] = may["core"] " shade method"; may["fast"] = may["core"] " shade" }
     { from = folder($1); to = folder($2)
         if (from != to && index(" " may[from] " ", " " to " ") == 0) print $1 "->" $2 }' "$B/arrows.txt" | tr ' ' ':')
-if [ "$(wc -l <"$B/arrows.txt")" -ge 40 ]; then none "zstrip: effect, overlay, fast, shade, depth, damage, support, method -> core -> arch" "$wrong"
+if [ "$(wc -l <"$B/arrows.txt")" -ge 40 ]; then
+    none "zstrip: effect, overlay, fast, shade, depth, damage, support, method -> core -> arch" "$wrong"
 else bad "zstrip: arrows are found" "$(wc -l <"$B/arrows.txt")"; fi
 none "zstrip: no circle of includes" "$(tsort "$B/arrows.txt" 2>&1 >"$B/order.txt" | sed 's/.*: //' | tr '\n' ' ')"
 
@@ -90,7 +91,9 @@ only "showpieces see public headers and scenes'" \
     "\"(zs_[a-z]+|meshes)\\.h\"|$(headers firmware/scenes firmware/scenes/pieces)|$STD" firmware/scenes/pieces/*.[ch]
 only "scenes see zstrip.h, zs_fast.h and their own" "\"(zstrip|zs_fast|meshes)\\.h\"|$(headers firmware/scenes)|$STD" \
     firmware/scenes/*.[ch]
-only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
+only "mesh generators see their own" \
+    "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" \
+    firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
 # A judge in sim: includes its own and standard headers, reaches nothing of what it judges, has header names of its
 # own (or an include could mean the other one), and uses no name that begins with a prefix of theirs.

@@ -10,8 +10,8 @@ TEXTURE='zs_shade_texture|zs_texel|fetch|texture_|light$'
 FLOAT='zs_depth_(e[345]|float)|float_|any_row|(e[345]|any)_setup'
 
 # Checks of loaded data, what finds changes, what a program's own shaders need: in no firmware that does not name them.
-CHECKS='zs_damage_compare zs_damage_track track_check track_due zs_raster_leave zs_mesh_check zs_texture_check zs_flaw_string
-        zs_strip_hashes_init zs_fragments_start zs_fragments_run'
+CHECKS='zs_damage_compare zs_damage_track track_check track_due zs_raster_leave zs_mesh_check zs_texture_check
+        zs_flaw_string zs_strip_hashes_init zs_fragments_start zs_fragments_run'
 
 # Names that each object defines: "file name" a line
 names() {
@@ -32,7 +32,8 @@ without() {
         ${ARM}nm "$dir/part.elf" | awk '{ print $NF }' >"$dir/part.txt"
         names_of "${4:-.*}" >"$dir/fast.txt"
         # shellcheck disable=SC2086
-        none "$name" "$(grep -E "$3|^($(echo $CHECKS | tr ' ' '|'))" "$dir/part.txt"; grep -xF -f "$dir/fast.txt" "$dir/part.txt")"
+        none "$name" "$(grep -E "$3|^($(echo $CHECKS | tr ' ' '|'))" "$dir/part.txt"
+            grep -xF -f "$dir/fast.txt" "$dir/part.txt")"
         [ "$(wc -l <"$dir/fast.txt")" -ge 5 ] || bad "$name: names of fast/" "$(cat "$dir/fast.txt")"
     else
         bad "$name" "does not link"
@@ -44,12 +45,15 @@ for c in $CPUS; do
     core "$c" "$dir" || { bad "$c compiles" "see above"; continue; }
     names
     POSE='zs_(sin|cos|pose|camera|strerror)'
-    without raw recip '^(zs_shade_(flat|smooth)|(flat|smooth)_|zs_light|zs_depth_linear|linear_p|zs_unit_|'"$POSE|$TEXTURE|$FLOAT"')'
-    without flat recip '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_linear|linear_p|'"$POSE|$TEXTURE|$FLOAT"')'
-    without smooth recip '^(zs_shade_(raw|flat)|(raw|flat)_|zs_solid_|zs_depth_linear|linear_p|'"$POSE|$TEXTURE|$FLOAT"')'
-    without flat linear '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_recip|recip_(setup|vertex|inverse)|'"$POSE|$TEXTURE|$FLOAT"')'
-    without texture recip '^(zs_shade_(raw|flat|smooth)|zs_solid_|zs_light|zs_texture_light|zs_depth_walk|zs_depth_linear|linear_p|zs_texel|fetch_(565|pal)|zs_shade_texture_|smooth_|'"$FLOAT"')'
-    without flat e3m13 '^(zs_shade_(raw|smooth)|zs_depth_(recip|linear|e4m12|e5m11)|recip_(setup|vertex|inverse)|linear_p|e[45]_setup|'"$TEXTURE"')'
+    RECIP='zs_depth_recip|recip_(setup|vertex|inverse)' LINEAR='zs_depth_linear|linear_p'
+    without raw recip \
+        "^(zs_shade_(flat|smooth)|(flat|smooth)_|zs_light|$LINEAR|zs_unit_|$POSE|$TEXTURE|$FLOAT)"
+    without flat recip "^(zs_shade_(raw|smooth)|(raw|smooth)_|$LINEAR|$POSE|$TEXTURE|$FLOAT)"
+    without smooth recip "^(zs_shade_(raw|flat)|(raw|flat)_|zs_solid_|$LINEAR|$POSE|$TEXTURE|$FLOAT)"
+    without flat linear "^(zs_shade_(raw|smooth)|(raw|smooth)_|$RECIP|$POSE|$TEXTURE|$FLOAT)"
+    OTHER_SHADERS='zs_shade_(raw|flat|smooth|texture_)|zs_solid_|zs_light|zs_texture_light|smooth_'
+    without texture recip "^($OTHER_SHADERS|zs_depth_walk|$LINEAR|zs_texel|fetch_(565|pal)|$FLOAT)"
+    without flat e3m13 "^(zs_shade_(raw|smooth)|$RECIP|$LINEAR|zs_depth_(e4m12|e5m11)|e[45]_setup|$TEXTURE)"
     LIST='ZS_FAST_FRAME,'
     without flat recip '^(zs_fast_(raw|flat))' 'clusters|solid|smooth|less|texture|texels'
     LIST=$FAST_FLAT
@@ -60,7 +64,8 @@ for c in $CPUS; do
     without texture recip '^(zs_fast_texture_|zs_shade_texture_|zs_texel|fetch_(565|pal))' \
         'clusters|solid|smooth|texels'
     LIST=$FAST_TEXTURE
-    without texture_smooth recip '^(zs_fast_(texture$|texture_flat|pal)|zs_shade_texture(_flat)?$|zs_texel_pal|(fetch|rows|gather|small|small_lit)_pal)' \
+    PALETTE='zs_fast_pal|zs_texel_pal|(fetch|rows|gather|small|small_lit)_pal'
+    without texture_smooth recip "^(zs_fast_texture(_flat|\$)|zs_shade_texture(_flat)?\$|$PALETTE)" \
         'clusters|solid|smooth'
     LIST=ZS_FAST_CLUSTERS,
     without flat recip '^(zs_fast_(touch|batch|edges)|batch_)' 'first_touch|edges|solid|smooth|less|texture|texels'
@@ -73,18 +78,21 @@ for c in $CPUS; do
     gone=
     for s in $CHECKS zs_shade_raw zs_shade_flat zs_shade_smooth zs_raw_face zs_flat_face zs_depth_recip \
         zs_depth_linear zs_recip_setup linear_setup linear_planes zs_solid_run zs_pose_turn zs_fast_touch \
-        zs_fast_tiles zs_fast_batch zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth zs_fast_texture zs_fast_texture_flat \
-        zs_fast_texture_smooth zs_fast_565 zs_fast_pal8 zs_fast_pal4 zs_fast_less cluster_open solid_rows smooth_rows texture_rows \
-        touch_piece tiles_cover batch_bin zs_camera_orbit zs_error_string zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
-        zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide \
-        zs_texture_run zs_texture_light zs_texture_start zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_planes any_row e3_setup e4_setup e5_setup any_setup; do
+        zs_fast_tiles zs_fast_batch zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth \
+        zs_fast_texture zs_fast_texture_flat zs_fast_texture_smooth zs_fast_565 zs_fast_pal8 zs_fast_pal4 \
+        zs_fast_less cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover batch_bin \
+        zs_camera_orbit zs_error_string zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth \
+        zs_texel_565 zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 \
+        fetch_wide zs_texture_run zs_texture_light zs_texture_start zs_depth_e3m13 zs_depth_e4m12 \
+        zs_depth_e5m11 float_planes any_row e3_setup e4_setup e5_setup any_setup; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"
     done
     none "$c everything holds every name looked for" "$gone"
     # What core/ needs, core/ has, or the compiler's library: renamed objects are core_NAME.o
     ${ARM}ld -r "$dir"/core_*.o -o "$dir/core.rel" || bad "$c core/ links" "see above"
     ${ARM}nm -g "$dir"/[!c]*.o 2>/dev/null | awk 'NF == 3 && $2 ~ /[TRD]/ { print $3 }' >"$dir/others.txt"
-    none "$c core/ needs nothing of other folders" "$(${ARM}nm -u "$dir/core.rel" | awk '{ print $NF }' | grep -xF -f "$dir/others.txt")"
+    none "$c core/ needs nothing of other folders" \
+        "$(${ARM}nm -u "$dir/core.rel" | awk '{ print $NF }' | grep -xF -f "$dir/others.txt")"
     if [ "$(wc -l <"$dir/others.txt")" -ge 50 ]; then ok "$c names of other folders: $(wc -l <"$dir/others.txt")"
     else bad "$c names of other folders" "$(cat "$dir/others.txt")"; fi
 done
@@ -95,7 +103,8 @@ panel_alone() { # TYPE WIDTH HEIGHT OWN
     name="$c $1 alone"
     minimal_panel "$dir/main.c" "$1" "$2" "$3"
     if link "$c" "$dir" "$dir/main.c" "$dir/part.elf"; then
-        none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' | grep -E "^($ALL)\$" | grep -vE "^(panel_$1|$4)\$")"
+        none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' | grep -E "^($ALL)\$" |
+            grep -vE "^(panel_$1|$4)\$")"
     else
         bad "$name" "does not link"
     fi

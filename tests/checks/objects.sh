@@ -6,11 +6,14 @@
 . "$(dirname "$0")/../lib/cortexm.sh"
 
 # Soft-float helpers: the Arm ABI's names and libgcc's own.
-FLOAT='^(__aeabi_(f|d|cf|cd|h)[a-z0-9]+|__aeabi_(i|ui|l|ul)2[fd]|__(add|sub|mul|div|neg|cmp|eq|ne|lt|le|gt|ge|unord|pow)[sdtx]f[0-9]*|__(float|fix|extend|trunc)[a-z0-9]+|(sqrt|sin|cos|tan|atan2?|floor|ceil|fabs|pow|exp|log|fmod|round)f?)$'
+FLOAT='__aeabi_(f|d|cf|cd|h)[a-z0-9]+|__aeabi_(i|ui|l|ul)2[fd]'
+FLOAT="$FLOAT|__(add|sub|mul|div|neg|cmp|eq|ne|lt|le|gt|ge|unord|pow)[sdtx]f[0-9]*|__(float|fix|extend|trunc)[a-z0-9]+"
+FLOAT="^($FLOAT|(sqrt|sin|cos|tan|atan2?|floor|ceil|fabs|pow|exp|log|fmod|round)f?)\$"
 HEAP='^_?(malloc|calloc|realloc|free|memalign|aligned_alloc|alloca|sbrk|_sbrk|malloc_r|free_r)(_r)?$'
 # What may stay undefined: integer division and multiplication, counting zeros, switch tables (M0+),
 # block moves.
-ALLOWED='^(__aeabi_u?idiv(mod)?|__aeabi_u?ldivmod|__aeabi_lmul|__aeabi_l(lsl|lsr|asr)|__clz[sd]i2|__gnu_thumb1_case_(u?qi|u?hi|si)|mem(set|cpy|move))$'
+ALLOWED='__aeabi_u?idiv(mod)?|__aeabi_u?ldivmod|__aeabi_lmul|__aeabi_l(lsl|lsr|asr)|__clz[sd]i2'
+ALLOWED="^($ALLOWED|__gnu_thumb1_case_(u?qi|u?hi|si)|mem(set|cpy|move))\$"
 
 # NAME CPU DIR [FLAGS...]: the objects of a folder, and a program in DIR/main.c that uses all of them
 rules() {
@@ -75,9 +78,10 @@ else
 fi
 
 # And as written: the words themselves, comments aside.
+WORDS='(^|[^A-Za-z0-9_])(float|double|malloc|calloc|realloc|alloca)([^A-Za-z0-9_]|$)'
 words=$(for f in firmware/zstrip/*.h firmware/zstrip/*/*.[ch] hal/panel/*.[ch]; do
     ${ARM}gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null |
-        grep -nE '(^|[^A-Za-z0-9_])(float|double|malloc|calloc|realloc|alloca)([^A-Za-z0-9_]|$)|[0-9]\.[0-9]*f?([^A-Za-z0-9_"]|$)' |
+        grep -nE "$WORDS"'|[0-9]\.[0-9]*f?([^A-Za-z0-9_"]|$)' |
         grep -vE '"[^"]*[0-9]\.[^"]*"' | sed "s|^|$(basename "$f"):|; s| |_|g"
 done)
 none "source: no float, no allocator" "$words"

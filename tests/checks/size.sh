@@ -174,7 +174,8 @@ int main(int argc, char **argv)
         const struct zs_config c = { .width = t[i].w, .height = t[i].h, .strip_h = t[i].rows, .max_tris = t[i].tris,
                                      .max_verts = t[i].verts, .varyings = t[i].varyings, .buffers = t[i].buffers,
                                      .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
-        const unsigned arena = ZS_ARENA_BYTES(t[i].w, t[i].h, t[i].rows, t[i].tris, t[i].verts, t[i].varyings, t[i].buffers);
+        const unsigned arena =
+            ZS_ARENA_BYTES(t[i].w, t[i].h, t[i].rows, t[i].tris, t[i].verts, t[i].varyings, t[i].buffers);
         printf("  %-34s %6u %6u %7u %7u %5u %7u %7u %8u\n", t[i].name, t[i].tris, t[i].verts,
                (unsigned)ZS_COLOR_BYTES(t[i].w, t[i].rows, t[i].buffers), (unsigned)ZS_DEPTH_BYTES(t[i].w, t[i].rows),
                (unsigned)ZS_BIN_BYTES(t[i].h, t[i].rows), (unsigned)ZS_TRI_BYTES(t[i].tris),

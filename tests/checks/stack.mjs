@@ -1,11 +1,12 @@
 // The worst case of the stack of a folder's functions: no recursion, fixed frames, and where calls through pointers may
 // go.
 // Usage: node tests/checks/stack.mjs NAME DIR LIMIT PREFIX OUTSIDE EMPTY [FUNCTION...]
-//   DIR       objects of -g -ffunction-sections -fdata-sections -fstack-usage -fcallgraph-info=su, each with its .ci, and
-//             all.elf, a program that has all of them
+//   DIR       objects of -g -ffunction-sections -fdata-sections -fstack-usage -fcallgraph-info=su, each with its .ci,
+//             and all.elf, a program that has all of them
 //   PREFIX    of the names of public functions
 //   OUTSIDE   structs, or STRUCT.FIELDs, whose functions are the caller's, a,b,c: what they take comes on top
-//   EMPTY     fields that nothing may stand in, as of this build they are never called: STRUCT.FIELD or how it begins, a,b,c
+//   EMPTY     fields that nothing may stand in, as of this build they are never called: STRUCT.FIELD or how it begins,
+//             a,b,c
 //   FUNCTION  public functions whose bound is printed; the first one's deepest path too
 //
 // Frames are those of -fcallgraph-info=su. Calls are the compiler's call graph and, so that calls which it adds later
@@ -66,7 +67,8 @@ function debug_entries(object) {
 }
 
 function read_unit(object) {
-    const unit = { object, name: path.basename(object, '.o'), at: debug_entries(object), variables: new Map(), functions: new Map() };
+    const unit = { object, name: path.basename(object, '.o'), at: debug_entries(object),
+        variables: new Map(), functions: new Map() };
     // The type itself, without typedef and const
     unit.bare = (offset) => {
         let type = unit.at.get(offset);
@@ -180,11 +182,13 @@ function field_at(unit, type, offset) {
     if (of?.tag !== 'structure_type')
         return undefined;
     const m = unit.members(of).filter((one) => one.offset <= offset).at(-1);
-    return m && m.offset === offset && unit.is_code(m.type) ? `${of.name}.${m.name}` : m && field_at(unit, m.type, offset - m.offset);
+    if (m && m.offset === offset && unit.is_code(m.type))
+        return `${of.name}.${m.name}`;
+    return m && field_at(unit, m.type, offset - m.offset);
 }
 for (const { unit, table, offset, target } of of_tables) {
-    const found = [...(unit.variables.get(table.replace(/\.\d+$/, '')) ?? [])].map((type) => field_at(unit, type, offset))
-        .filter(Boolean);
+    const types = unit.variables.get(table.replace(/\.\d+$/, '')) ?? [];
+    const found = [...types].map((type) => field_at(unit, type, offset)).filter(Boolean);
     if (!found.length)
         fail('tables', `${unit.name}: no field of ${table} at ${offset} that could hold ${target}`);
     found.forEach((key) => add(holds, key, target));
@@ -195,7 +199,8 @@ for (const { unit, table, offset, target } of of_tables) {
 const sources = new Map(); // FILE -> its text without comments and directives, places unchanged
 function source(file) {
     if (!sources.has(file))
-        sources.set(file, fs.readFileSync(file, 'utf8').replace(/\/\*[\s\S]*?\*\/|\/\/[^\n]*/g, (c) => c.replace(/[^\n]/g, ' ')));
+        sources.set(file, fs.readFileSync(file, 'utf8')
+            .replace(/\/\*[\s\S]*?\*\/|\/\/[^\n]*/g, (c) => c.replace(/[^\n]/g, ' ')));
     return sources.get(file);
 }
 // What an expression may give: functions that it names, what it reads, what functions return that it calls.
@@ -233,7 +238,8 @@ for (const unit of units) {
         const text = source(file);
         for (const m of text.matchAll(new RegExp(`(?<![\\w>.])(${CHAIN})\\s*=(?!=)([^;]*);`, 'g')))
             keys_of(unit, m[1]).forEach(({ key }) => values(unit, m[2], key));
-        for (const m of text.matchAll(/\(\s*\*\s*(?:const\s+)?(\w+)\s*\)\s*\([^()]*\)\s*=(?!=)([^;]*);/g)) // its declaration
+        // its declaration
+        for (const m of text.matchAll(/\(\s*\*\s*(?:const\s+)?(\w+)\s*\)\s*\([^()]*\)\s*=(?!=)([^;]*);/g))
             keys_of(unit, m[1]).forEach(({ key }) => values(unit, m[2], key));
     }
     for (const [name, entry] of unit.functions) {
@@ -325,7 +331,8 @@ function measure_helpers(elf) {
         if (level > 20)
             return 100000;
         if (!deepest.has(fn))
-            deepest.set(fn, (own.get(fn) ?? 0) + Math.max(0, ...[...(callees.get(fn) ?? [])].map((c) => deep(c, level + 1))));
+            deepest.set(fn, (own.get(fn) ?? 0) +
+                Math.max(0, ...[...(callees.get(fn) ?? [])].map((c) => deep(c, level + 1))));
         return deepest.get(fn);
     };
     const out = new Map();
@@ -371,7 +378,8 @@ for (const fn of frame.keys())
 const worst = [...frame.keys()].filter((fn) => fn.startsWith(PREFIX)).sort((a, b) => bounds.get(b) - bounds.get(a))[0];
 for (const fn of SHOWN)
     if (frame.has(fn))
-        console.log(`note ${NAME} ${fn}: ${bounds.get(fn)} bytes${sinks.has(fn) ? ', and what the caller\'s functions take' : ''}`);
+        console.log(`note ${NAME} ${fn}: ${bounds.get(fn)} bytes` +
+            (sinks.has(fn) ? ', and what the caller\'s functions take' : ''));
 for (const fn of new Set([SHOWN[0], worst])) {
     let steps = '';
     for (let f = fn; f; f = next_of.get(f))
@@ -386,6 +394,7 @@ if (!bounds.get(SHOWN[0]) || !pointers.length)
 else if (bounds.get(worst) > Number(LIMIT))
     fail(`stack within ${LIMIT} bytes`, `${worst} takes ${bounds.get(worst)}`);
 else
-    console.log(`ok ${NAME} stack within ${LIMIT} bytes: ${worst === SHOWN[0] ? '' : `${worst} ${bounds.get(worst)}, `}` +
+    console.log(`ok ${NAME} stack within ${LIMIT} bytes: ` +
+        (worst === SHOWN[0] ? '' : `${worst} ${bounds.get(worst)}, `) +
         `${SHOWN[0]} ${bounds.get(SHOWN[0])}`);
 process.exitCode = failed ? 1 : 0;

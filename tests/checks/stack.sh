@@ -96,7 +96,11 @@ painted() { # BOARD CPU
     render=$(sed -n 's/^ok .* zs_render //p' "$B/stack-$2/bound.txt")
     send=$(sed -n 's/^ok .* panel_send //p' "$B/stack-panels-$2/bound.txt")
     awk -v board="$1" -v bound=$((${render:-0} + ${send:-0})) '$5 > most { most = $5; scene = $2 }
-        END { if (most + 0 > 0 && most <= bound) { print "ok " board " painted stack " most " (" scene ") within the bound, " bound; exit }
+        END {
+            if (most + 0 > 0 && most <= bound) {
+                print "ok " board " painted stack " most " (" scene ") within the bound, " bound
+                exit
+            }
             print "FAILED " board " painted stack: " most + 0 ", bound " bound; exit 1 }' "${B%/checks}/$1/table.txt" ||
                 failed=1
 }

@@ -433,8 +433,9 @@ END
 progress
 none "flash of each accelerator" "$(awk 'NF != 2 || $2 <= 0' "$out/flash.txt" | tr ' ' '_')"
 echo
-echo "What each accelerator is worth on the Cortex-M3: instructions with all that the scene lists, times as many with none,"
-echo "and times as many with one left out. Below 1: it costs more than it saves there. All rows have pools for everything."
+echo "What each accelerator is worth on the Cortex-M3: instructions with all that the scene lists, times as many with"
+echo "none, and times as many with one left out. Below 1: it costs more than it saves there. All rows have pools for"
+echo "everything."
 echo "flash: bytes that it takes there by itself, -O2, beside what it is for; what several share counts with each."
 awk -F, '
     FILENAME ~ /flash.txt$/ { split($0, f, " "); name[++names] = f[1]; bytes[f[1]] = f[2]; next }

@@ -18,7 +18,8 @@ for part in firmware/zstrip hal sim tests; do
         function sorted(a, n, i, j, t) { for (i = 2; i <= n; i++) { t = a[i]
             for (j = i - 1; j > 0 && a[j] > t; j--) a[j + 1] = a[j]; a[j + 1] = t } }
         END { sorted(m, n); sorted(l, n); h = int((n + 1) / 2); p = int(n * .9)
-            printf "%s: %d functions; complexity median %d, nine of ten up to %d; lines median %d, nine of ten up to %d\n%s", \
+            up = "median %d, nine of ten up to %d"
+            printf "%s: %d functions; complexity " up "; lines " up "\n%s", \
                 part, n, m[h], m[p], l[h], l[p], out }'
 done
 echo "Said twice, runs of $TOKENS tokens or more:"

@@ -79,8 +79,9 @@ quick)
     none "costs on record are what probes take on Cortex-M3: $(sed -n 's/^M3 .*probes: //p' "$out/quick.txt")" "$reason"
     "$top/zlab" costs --error "$record" >"$out/error.txt" 2>&1 && reason='' || reason=$(tail -1 "$out/error.txt")
     grep -q ' layers_btf ' "$record" || reason="layers_btf is not among the scenes"
-    none "no scene's estimate is 15 % off: $(sed -n 's/^\([^ ]*\) .* scenes, none.* at most \([-+0-9.]*\) %.*/\1 \2 %/p' \
-        "$out/error.txt" | tr '\n' ',' | sed 's/,$//; s/,/, /g') at most" "$reason"
+    off=$(sed -n 's/^\([^ ]*\) .* scenes, none.* at most \([-+0-9.]*\) %.*/\1 \2 %/p' "$out/error.txt" |
+        tr '\n' ',' | sed 's/,$//; s/,/, /g')
+    none "no scene's estimate is 15 % off: $off at most" "$reason"
     stated=$(sed -n 's/^static const double stage_error.* { [^,]*, \([0-9.]*\),.*/\1/p' sim/budget/stage_costs.h)
     now=$(sed -n 's/^M3 .* scenes, none.* at most [-+]*\([0-9.]*\) %.*/\1/p' "$out/error.txt")
     none "the error that zsim budget states on Cortex-M3, $stated %" \
@@ -93,7 +94,8 @@ quick)
     for c in $CPUS; do
         sh tests/lab/sizes_record.sh "$top" structs "$c" |
             sed 's/^\([a-z_]*\) \(.*\)/#define RECORD_\1 \2u/' >"$out/structs-$c.txt"
-        none "sizes of structs on record, $c" "$(grep -vxFf sim/budget/record_sizes.h "$out/structs-$c.txt" | tr ' ' '_')"
+        none "sizes of structs on record, $c" \
+            "$(grep -vxFf sim/budget/record_sizes.h "$out/structs-$c.txt" | tr ' ' '_')"
     done
     core cortex-m3 "$out/core-cortex-m3" || exit 1
     reason=''

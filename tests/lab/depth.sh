@@ -36,7 +36,8 @@ for board in mps2 m0; do
     fi
 done
 echo
-echo "Instructions a pixel tested, whole frames of 96x72 in strips of 8 rows with pools of 160 (QEMU -icount, not cycles):"
+echo "Instructions a pixel tested, whole frames of 96x72 in strips of 8 rows with pools of 160 (QEMU -icount, not" \
+    "cycles):"
 awk -F, '
     function note(cpu, per_tick) {
         if (!($1 in seen)) { seen[$1] = 1; scene[++n] = $1 }

@@ -74,7 +74,7 @@ costs-record: lab $(B)/.setup-test $(B)/gen/meshes.h
 still: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/still.sh $(B)
 
-## methods: methods of hidden-surface removal side by side on Cortex-M0 and M3; methods-record: as the record of make test
+## methods: methods of hidden-surface removal side by side on Cortex-M0 and M3; methods-record: as make test's record
 methods: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B)
 methods-record: $(B)/.setup-test $(B)/gen/meshes.h
@@ -123,10 +123,9 @@ accuracy: lab
 records-age:
 	@sh tests/records/age.sh
 
-.PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record strangers stopwatch scale costs \
-        costs-record still cull methods methods-record \
-        methods-worlds methods-worlds-record effects effects-record gallery depth hiz accuracy fuzz-programs \
-        lib-fuzz-programs stress-programs
+.PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record strangers \
+        stopwatch scale costs costs-record still cull methods methods-record methods-worlds methods-worlds-record \
+        effects effects-record gallery depth hiz accuracy fuzz-programs lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer

@@ -92,6 +92,6 @@ else
 fi
 echo "Instructions a frame (QEMU -icount), bytes of arena:"
 awk -F, 'NR == FNR { if ($3 + 0 > 0) m0[$1, $2] = $3; next }
-    $3 + 0 > 0 { printf "  %-12s %-11s M0 %9d  M3 %9d  arena %6d  sorted %5d  splits %5d  rays %6d\n", $2, $1, m0[$1, $2], $3, $4, $5,
-        $6, $7 }' "$out/m0.csv" "$out/mps2.csv"
+    $3 + 0 > 0 { printf "  %-12s %-11s M0 %9d  M3 %9d  arena %6d  sorted %5d  splits %5d  rays %6d\n",
+        $2, $1, m0[$1, $2], $3, $4, $5, $6, $7 }' "$out/m0.csv" "$out/mps2.csv"
 exit $failed

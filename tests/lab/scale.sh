@@ -168,8 +168,10 @@ plot passes 'passes that smaller pools take' '1, 2, 5, 10, 20, 50, 100, 200, 500
 plot depth 'layers that fill 320x240; balls behind each other' '1, 2, 4, 8, 16, 32, 64'
 {
     echo "set terminal pngcairo size 960,600 font ',11'; set output '$out/ram.png'"
-    echo "set datafile separator ','; set colorsequence podo; set logscale xy; set grid; set key outside right top noenhanced"
-    echo "set xlabel 'KB of RAM, everything counted'; set ylabel 'instructions a frame, Cortex-M3'; set format y '%.0s %c'"
+    echo "set datafile separator ','; set colorsequence podo; set logscale xy; set grid"
+    echo "set key outside right top noenhanced"
+    echo "set xlabel 'KB of RAM, everything counted'; set ylabel 'instructions a frame, Cortex-M3'"
+    echo "set format y '%.0s %c'"
     echo "set xtics (8, 16, 32, 64, 128)"
     awk -F, -v csv="$out/mps2.csv" -v q="'" '$1 == "ram" && NF == 11 && !($2 in seen) {
         printf "%s%s< grep \"^ram,%s,\" %s%s using 3:11 with linespoints lw 2 title %s%s%s", n++ ? ", " : "plot ",

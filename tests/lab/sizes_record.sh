@@ -124,7 +124,8 @@ echo "static const struct record_bytes record_state[RECORD_CPUS] = { $(more stat
 echo "static const struct record_bytes record_watch[RECORD_CPUS] = { $(more watch \
     'static struct zs_strip_hashes sums; (void)zs_strip_hashes_init(&sums, (uint64_t *)anything, 240, 240, 24, 1);
      (void)zs_damage_compare(&renderer, &sums);' '') };"
-echo "static const struct record_bytes record_track[RECORD_CPUS] = { $(more track '(void)zs_damage_track(&renderer, anything, 1);' '') };"
+echo "static const struct record_bytes record_track[RECORD_CPUS] = { $(more track \
+    '(void)zs_damage_track(&renderer, anything, 1);' '') };"
 echo "/* Poses turned, a camera that looks at a point. */"
 echo "static const struct record_bytes record_pose[RECORD_CPUS] = { $(more pose \
     'zs_pose_turn(&instance.pose, 1, 2, 3); (void)zs_camera_orbit(&camera, (int32_t *)anything, 10, 20, 30);
@@ -154,7 +155,8 @@ done
 echo "};"
 echo
 sh tests/checks/stack.sh "$top" >"$work/stack.txt" 2>&1
-echo "/* zs_render with everything linked, without what the sink takes on top; any function of a panel, without its bus. */"
+echo "/* zs_render with everything linked, without what the sink takes on top; any function of a panel, without its" \
+    "bus. */"
 for part in '' 'panels, '; do
     line=''
     for c in $CPUS; do

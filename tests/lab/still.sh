@@ -11,13 +11,15 @@ if $firmware >"$out/log" 2>&1 && timeout 120 $firmware run >"$out/csv" 2>"$out/e
     cat "$out/err" >>"$out/csv" # semihosting may write to either
     n=$(grep -c '^[a-z_-]*,[0-9]' "$out/csv")
     ok "a still scene takes at most 2 % of a full frame: $n scenes"
-    ok "one thing that moved and is small takes at most two fifths of it, by columns; no more than 5 % over strips: $n scenes"
+    ok "one thing that moved and is small takes at most two fifths of it, by columns; no more than 5 % over strips:" \
+        "$n scenes"
 else
     cat "$out/log" "$out/err" "$out/csv"
     bad "what zs_damage_track saves" "see above"
 fi
-echo "Instructions a frame (QEMU mps2-an385 -icount): all strips; with zs_damage_track the first frame, nothing changed, the last"
-echo "instance moved: by strips and by columns (zs_damage_columns); %: of all strips, and of their pixels what was sent"
+echo "Instructions a frame (QEMU mps2-an385 -icount): all strips; with zs_damage_track the first frame, nothing"
+echo "changed, the last instance moved: by strips and by columns (zs_damage_columns); %: of all strips, and of their"
+echo "pixels what was sent"
 awk -F, '$2 + 0 > 0 && NF == 16 {
     if (!n++)
         printf "%-14s %9s %9s %8s %6s %9s %6s %-9s %6s %9s %6s %6s\n", "scene", "full", "first", "still", "%",

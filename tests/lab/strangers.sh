@@ -55,11 +55,12 @@ one() { # MODEL
         { bad "$name" "its program does not build"; return; }
     cp -r "$build/pico/node_modules" "$project/zstrip/emulator/"
     node "$project/zstrip/emulator/frames.mjs" "$project/build/fw/pico/$name" --frames 37 --cycles 1 --seconds 200 \
-        --stream "$project/stream" >"$out/$name.frames" 2>&1 || { bad "$name" "$(tail -1 "$out/$name.frames")"; return; }
+        --stream "$project/stream" >"$out/$name.frames" 2>&1 ||
+        { bad "$name" "$(tail -1 "$out/$name.frames")"; return; }
     for frame in 12 24 36; do
         # shellcheck disable=SC2046
-        "$build/zsim" budget "$model" --part rp2040 --size 240x240 --strip "$(pool ROWS)" --buffers 2 --tris "$(pool TRIS)" \
-            --verts "$(pool VERTS)" $(view $frame) --csv >"$out/$name.csv" 2>>"$out/$name.txt" ||
+        "$build/zsim" budget "$model" --part rp2040 --size 240x240 --strip "$(pool ROWS)" --buffers 2 \
+            --tris "$(pool TRIS)" --verts "$(pool VERTS)" $(view $frame) --csv >"$out/$name.csv" 2>>"$out/$name.txt" ||
             { bad "$name" "zsim budget: $(tail -1 "$out/$name.txt")"; return; }
         echo "$(sed -n 's/^draw_RP2040,\([0-9]*\),.*/\1/p' "$out/$name.csv") \
             $(sed -n "s/^frame $frame //p" "$out/$name.frames")"

@@ -8,8 +8,8 @@ B=${1:-build}/checks
 ARM=${ARM:-arm-none-eabi-}
 CPUS="cortex-m0plus cortex-m3"
 OPT="-O2 -ffunction-sections -fdata-sections"
-WARN="-Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes -Wno-missing-field-initializers
-      -Wdouble-promotion"
+WARN="-Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes
+      -Wno-missing-field-initializers -Wdouble-promotion"
 . tests/lib/ok.sh
 mkdir -p "$B"
 
@@ -109,7 +109,8 @@ END
 EVERYTHING='extern struct zs_material other[5];
     extern struct zs_texture texture[3];
     extern const struct zs_depth_state state;
-    static const struct zs_depth *const all_depths[] = { &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11, &zs_depth_float };
+    static const struct zs_depth *const all_depths[] = { &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12,
+                                                         &zs_depth_e5m11, &zs_depth_float };
     const struct zs_depth *volatile depth = all_depths[anything[5]];
     const int32_t *v = (const int32_t *)anything;
     struct zs_pose *pose = &instance.pose;

@@ -4,7 +4,8 @@
 # every bench scene on Cortex-M3 and in Armv6-M code in all the bench's configurations. tests/property/scene_sums.sh has
 # the demo scenes. That it is so: no name of fast/ is in these programs, all are in the full one, and they take more
 # instructions than those on record.
-# Usage: tests/property/bare.sh BUILD          from the repository's top; needs BUILD/test (checksum-programs), BUILD/gen
+# Usage: tests/property/bare.sh BUILD          from the repository's top; needs BUILD/test (checksum-programs),
+#                                              BUILD/gen
 #        tests/property/bare.sh BUILD bench    the bench alone
 #
 # SPDX-License-Identifier: MIT
@@ -78,7 +79,8 @@ for name in m3 armv6m; do
     fi
     frames $name >"$out/$name.frames"
     if [ -s "$out/full.frames" ] && differ=$(diff "$out/full.frames" "$out/$name.frames"); then
-        ok "bare_bench_$name ($(wc -l <"$out/full.frames") scenes, $(grep -c '^[a-z_]*,' "$out/$name.csv") configurations)"
+        configurations=$(grep -c '^[a-z_]*,' "$out/$name.csv")
+        ok "bare_bench_$name ($(wc -l <"$out/full.frames") scenes, $configurations configurations)"
     else
         bad "bare_bench_$name" "other frames than the full build: $differ"
     fi
@@ -88,7 +90,8 @@ echo 'Instructions of one-pass frames, millions, and times those on record with 
 for name in m3 armv6m; do
     awk -v core="$([ $name = m3 ] && echo M3 || echo M0)" -F '[ ,]' '
         FILENAME ~ /records/ { if ($1 == core) full[$2] = $3; next }
-        $2 == "one-pass" && NF == 17 && $1 in full { printf "  %-4s %-16s %8.2f %6.2f\n", core, $1, $13 / 1e6, $13 / full[$1] }' \
+        $2 == "one-pass" && NF == 17 && $1 in full {
+            printf "  %-4s %-16s %8.2f %6.2f\n", core, $1, $13 / 1e6, $13 / full[$1] }' \
         tests/records/bench.txt "$out/$name.csv" | tee "$out/$name.times"
     # each scene takes longer: accelerators do something, and these programs have none
     quick=$(awk '$4 <= 1.02 { print $2, $4 }' "$out/$name.times" | tr '\n' ' ')

@@ -34,7 +34,8 @@ shade_of() { # WORDS
 # What the compiler says: a line each of pools, arena, statics
 {
     echo '#include "zs_damage.h"'
-    echo '#define ROW(w, h, r, t, v, a, b, n, k, c) ZS_COLOR_BYTES(w, r, b), ZS_DEPTH_BYTES(w, r), ZS_DRAWN_BYTES(r) + ZS_BOUND_BYTES(w, h, r), \'
+    echo '#define ROW(w, h, r, t, v, a, b, n, k, c) \'
+    echo '    ZS_COLOR_BYTES(w, r, b), ZS_DEPTH_BYTES(w, r), ZS_DRAWN_BYTES(r) + ZS_BOUND_BYTES(w, h, r), \'
     echo '    ZS_BIN_BYTES(h, r), ZS_TRI_BYTES(t), ZS_VERT_BYTES(v, a), ZS_ARENA_BYTES(w, h, r, t, v, a, b), \'
     echo '    sizeof(struct zs_renderer), \'
     echo '    sizeof(struct zs_scene) + sizeof(struct zs_camera) + n * sizeof(struct zs_instance), \'

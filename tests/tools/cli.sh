@@ -369,7 +369,8 @@ color_at() { # NAME X Y
 block() { # NAME COUNT
     color_at "$1" $((($2 * 2 + 1) * 240 / 18)) $((240 + 18))
 }
-show() { # NAME KIND SUM-OF MEAN-COUNT-IN-THE-MIDDLE OPTION...    each pixel as its legend says, the sum as statistics say
+# Each pixel as its legend says, the sum as statistics say
+show() { # NAME KIND SUM-OF MEAN-COUNT-IN-THE-MIDDLE OPTION...
     as=$1 kind=$2 key=$3 count=$4
     shift 4
     draw "$as" layers.obj $plain --mesh file --show "$kind" "$@"
@@ -456,8 +457,8 @@ done
 is "triangles in" "$(stat_of stats triangles_in)" 460
 is "pixels visible" "$(stat_of stats pixels_visible)" "$(covered stats)"
 draw stats quad.obj $plain
-is "tested, written, visible" "$(stat_of stats pixels_tested) $(stat_of stats pixels_written) $(stat_of stats pixels_visible)" \
-    "10000 10000 10000"
+is "tested, written, visible" \
+    "$(stat_of stats pixels_tested) $(stat_of stats pixels_written) $(stat_of stats pixels_visible)" "10000 10000 10000"
 is "complexity and overdraw" "$(stat_of stats depth_complexity) $(stat_of stats overdraw)" "1 1"
 is "triangles, vertices" "$(stat_of stats triangles_drawn) $(stat_of stats vertices_transformed)" "2 4"
 draw stats two.obj $plain

@@ -43,7 +43,7 @@ convert() { # TO INPUT OPTION...
     [ $status -eq 0 ] || wrong "status $status: $(head -c 300 stderr)"
     [ ! -s stderr ] || wrong "it talks in a pipe: $(head -c 300 stderr)"
     [ -s "$to/m.h" ] && [ -s "$to/m.c" ] || wrong "m.h or m.c is missing"
-    place=$(sed -n 's/^ \* Positions *in the model.s units: \([^ ]*\) \([^ ]*\) \([^ ]*\) + \([^ ]*\) \* n.*/\1 \2 \3 \4/p' "$to/m.h")
+    place=$(sed -n 's/^ \* Positions *in the model.s units: \(.*\) + \([^ ]*\) \* n.*/\1 \2/p' "$to/m.h")
     place="$place $(sed -n 's/.*a unit of the model is \([^ ]*\) of them.*/\1/p' "$to/m.h")"
 }
 # Three compilers' warnings, then by the fourth a program of the converted file and the library, with sanitizers. The
@@ -73,11 +73,15 @@ same_flash() { # TO
     arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -c -I"$top/firmware/zstrip" "$1/m.c" -o "$1/arm.o" ||
         wrong "the Cortex-M compiler refuses it"
     linked=$(arm-none-eabi-nm -S --defined-only "$1/arm.o" |
-        awk 'function hex(s,  i, n) { for (i = 1; i <= length(s); i++) n = 16 * n + index("123456789abcdef", substr(s, i, 1)); return n }
+        awk 'function hex(s,  i, n) {
+                 for (i = 1; i <= length(s); i++) n = 16 * n + index("123456789abcdef", substr(s, i, 1))
+                 return n
+             }
              { sum += hex($2) } END { print sum }')
     printed=$(awk '$1 == "flash" { print $2 }' stdout)
     is "flash" "$printed" "$linked"
-    is "flash, by its parts" "$(awk '$NF == "bytes" && $1 != "flash" { s += $(NF - 1) } END { print s }' stdout)" "$printed"
+    parts=$(awk '$NF == "bytes" && $1 != "flash" { s += $(NF - 1) } END { print s }' stdout)
+    is "flash, by its parts" "$parts" "$printed"
     note="$printed bytes"
 }
 sound() { # TO
@@ -91,7 +95,8 @@ same_pixels() { # TO INPUT
         # shellcheck disable=SC2086
         run "$1/probe" view $view $place
         # shellcheck disable=SC2086
-        "$build/zsim" render "$2" $seen --out "$1/o.png" --id-out "$1/o.u32" >stdout.render 2>&1 || wrong "$(cat stdout.render)"
+        "$build/zsim" render "$2" $seen --out "$1/o.png" --id-out "$1/o.u32" >stdout.render 2>&1 ||
+            wrong "$(cat stdout.render)"
         # shellcheck disable=SC2086
         run "$1/probe" compare $view $place "$1/o.u32" "$1.u32"
         # shellcheck disable=SC2086
@@ -119,7 +124,8 @@ same_places() { # TO FILE.obj STEP-SHARE    coordinates to half a step, or a sha
     # shellcheck disable=SC2086
     run "$1/probe" places 0 $place "$2" "$1.u32"
     # shellcheck disable=SC2086
-    below "error of a coordinate" "$(word 1 $seen)" "$(awk -v s="$(word 4 $place)" -v f="$3" 'BEGIN { printf "%.17g", s * f }')"
+    below "error of a coordinate" "$(word 1 $seen)" \
+        "$(awk -v s="$(word 4 $place)" -v f="$3" 'BEGIN { printf "%.17g", s * f }')"
     # shellcheck disable=SC2086
     below "error of u or v" "$(word 2 $seen)" 0.0001
     # shellcheck disable=SC2086
@@ -321,7 +327,8 @@ holds stdout 'positions: exact'
 
 begin step_uses_the_range
 convert range torus.obj
-above "largest coordinate" "$(tr '{},' '\n' <range/m.c | awk '/tri_0/ { exit } $1 + 0 > m { m = $1 + 0 } END { print m }')" 32750
+above "largest coordinate" \
+    "$(tr '{},' '\n' <range/m.c | awk '/tri_0/ { exit } $1 + 0 > m { m = $1 + 0 } END { print m }')" 32750
 
 # ---- One road ------------------------------------------------------------------------------------
 one_road obj teapot.obj
@@ -546,9 +553,10 @@ begin deterministic
 convert same1 gltf/balls.gltf --dither --texture-format pal8
 mkdir -p elsewhere
 cp -r gltf elsewhere/there
-(cd elsewhere && LC_ALL=C.UTF-8 "$zsim" convert "$work/elsewhere/there/balls.gltf" --dither --texture-format pal8 --name m \
-    --out "$work/same2" >/dev/null) || wrong "status $?"
-"$build/zsim" convert gltf/balls.gltf --dither --texture-format pal8 --name m --out same3 >/dev/null || wrong "status $?"
+(cd elsewhere && LC_ALL=C.UTF-8 "$zsim" convert "$work/elsewhere/there/balls.gltf" --dither --texture-format pal8 \
+    --name m --out "$work/same2" >/dev/null) || wrong "status $?"
+"$build/zsim" convert gltf/balls.gltf --dither --texture-format pal8 --name m --out same3 >/dev/null ||
+    wrong "status $?"
 for f in m.h m.c; do
     cmp same1/$f same2/$f >/dev/null || wrong "$f depends on the folder"
     cmp same1/$f same3/$f >/dev/null || wrong "$f depends on the compiler's options"
@@ -582,7 +590,8 @@ refused() { # NAME STATUS TEXT ARGUMENT...    nothing is written or touched
 n=0
 for bad_name in 1a a-b 'a b' _a 'a*/' ü; do
     n=$((n + 1))
-    refused "name_${n}_$(printf %s "$bad_name" | tr -c 'a-z0-9' _)" 1 'is not a C identifier' tetra.obj --name "$bad_name" --out none
+    refused "name_${n}_$(printf %s "$bad_name" | tr -c 'a-z0-9' _)" 1 'is not a C identifier' \
+        tetra.obj --name "$bad_name" --out none
 done
 for word in int class static_assert while; do
     refused name_$word 1 'is a keyword' tetra.obj --name $word --out none
@@ -629,7 +638,10 @@ refused no_triangles 1 'no faces' empty.obj --name m --out none
 printf 'v 1000000.5 0.3 0\nv 1000001.7 0 0\nv 1000000 1 0\nf 1 2 3\n' >far.obj
 refused far_from_its_origin 1 'or --center yes' far.obj --name m --out none --center no
 refused too_far_from_its_origin 1 'steps wide; give --center yes' far.obj --name m --out none --center no --unit 100
-{ echo 'mtllib torus.mtl' && echo 'usemtl skin' && printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 400 0\nvt 0 400\nf 1/1 2/2 3/3\n'; } >wide.obj
+{
+    printf 'mtllib torus.mtl\nusemtl skin\nv 0 0 0\nv 1 0 0\nv 0 1 0\n'
+    printf 'vt 0 0\nvt 400 0\nvt 0 400\nf 1/1 2/2 3/3\n'
+} >wide.obj
 refused texture_coordinates_too_wide 1 'repeat the picture less often' wide.obj --name m --out none
 refused map_onto_the_output 1 'two outputs' tetra.obj --name m --out kept --map kept/m.c
 refused map_onto_the_model 1 'it is the model itself' tetra.obj --name m --out kept --map tetra.obj

@@ -208,7 +208,8 @@ finds_nothing '
     $5 != "rotation" && $5 != "wander" && ($11 != 0 || $12 > 0.505) { print $5, $6, "not explained:", $11, $12 }
     ($5 == "rotation" || $5 == "wander") && !($15 < 1) { print $5, $6, $15 }
     { ok[$5]++ }
-    END { if (refused["scale"] != "ZS_ERR_RANGE" || refused["near"] != "ZS_ERR_NEAR" || refused["distance"] != "ZS_ERR_CAMERA")
+    END { if (refused["scale"] != "ZS_ERR_RANGE" || refused["near"] != "ZS_ERR_NEAR" ||
+              refused["distance"] != "ZS_ERR_CAMERA")
               print refused["scale"], refused["near"], refused["distance"]
           for (p in ok) n++
           if (n != 7) print n, "parts" }' all/stability.csv

@@ -666,7 +666,8 @@ static void stress_begin(struct spot_light *s)
     assert_int_equal(zs_camera_perspective(&s->camera, ZS_DEGREES(60), 48, 1, 40000), ZS_OK);
 }
 
-static double stress_at(const struct spot_light *s, int32_t x, int32_t y, int32_t z, zs_q1_15 nx, zs_q1_15 ny, zs_q1_15 nz)
+static double stress_at(const struct spot_light *s, int32_t x, int32_t y, int32_t z, zs_q1_15 nx, zs_q1_15 ny,
+                        zs_q1_15 nz)
 {
     struct zs_instance in = s->in;
     in.mesh = &s->mesh;

@@ -245,7 +245,8 @@ static int clipped_case(uint64_t seed)
     double key[2]; /* linear on the screen */
     for (int k = 0; k < 2; k++) {
         const double z = at[0][2] + t[k ^ turned] * dz;
-        key[k] = 65535 * (perspective ? (1 / z_near - 1 / z) / (1 / z_near - 1 / z_far) : (z - z_near) / (z_far - z_near));
+        key[k] = 65535 * (perspective ? (1 / z_near - 1 / z) / (1 / z_near - 1 / z_far)
+                                      : (z - z_near) / (z_far - z_near));
     }
     const double slope = (key[1] - key[0]) / fmax(m1 - m0, 1);
     int ok = is.err == ZS_OK && stats_add_up(&is.stats);

@@ -184,7 +184,8 @@ static int doubles_case(uint64_t seed)
     static uint16_t color[2][SEEN_W * SEEN_H];
     struct prng p = { seed };
     struct ref_triangle t[60];
-    struct ref_image loop = { .id = id[0], .z = z[0], .rgb565 = color[0] }, ray = { .id = id[1], .z = z[1], .rgb565 = color[1] };
+    struct ref_image loop = { .id = id[0], .z = z[0], .rgb565 = color[0] };
+    struct ref_image ray = { .id = id[1], .z = z[1], .rgb565 = color[1] };
     struct ref_camera camera = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 40, .height = 3,
                                  .near_z = 1, .far_z = 9, .orthographic = prng_pick(&p, 3) == 0 };
     const struct ref_depth depth = { REF_DEPTH_LINEAR, 16 };

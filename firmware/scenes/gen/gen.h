@@ -20,8 +20,9 @@ enum gen_parts {
     GEN_FACE_RGB = 8,
     GEN_FACE_RAW = 16, /* face colours as RGB565: lit by gen_bake if that was called */
     GEN_UV = 32,       /* texture coordinates, as given to gen_uv */
-    GEN_CLUSTERS = 64 /* of triangles as they come: where parts of a mesh are out of view, as of land that is flown over
-                            (12 % of flyover's instructions); what is seen whole takes up to 0.6 % more, and 2 % of flash */
+    GEN_CLUSTERS = 64  /* of triangles as they come: where parts of a mesh are out of view, as of land that is flown
+                          over (12 % of flyover's instructions); what is seen whole takes up to 0.6 % more, and 2 % of
+                          flash */
 };
 
 struct gen_rgb {

@@ -44,7 +44,8 @@ static inline int piece_begin(struct zs_renderer *r, const struct piece *piece, 
 
 /* The same for a whole frame, as zs_render. */
 static inline int piece_render(struct zs_renderer *r, const struct piece *piece, const struct zs_scene *scene,
-                               const struct zs_camera *camera, struct zs_pass_memory *memory, const struct zs_sink *sink)
+                               const struct zs_camera *camera, struct zs_pass_memory *memory,
+                               const struct zs_sink *sink)
 {
     return piece->n_passes ? zs_render_passes(r, piece->pass, memory, piece->n_passes, sink)
                            : zs_render(r, scene, camera, sink);

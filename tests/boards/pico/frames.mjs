@@ -6,8 +6,8 @@
 // the time in which the wire was busy, text of the UART after "text", problems after "problem". FILE gets the panel's
 // bytes, for `zsim panel --full --decode`. --gap: ns between words, as real chips make some. --seconds: of the
 // program's time, after which it is broken off (30). --cycles: what the core ran from each frame's end to the next
-// one's, without its sleep, "frame NUMBER CYCLES" a line. --xip: reading the flash takes time (xip.mjs); flash_percent is the
-// share of the time in which the core waits for it.
+// one's, without its sleep, "frame NUMBER CYCLES" a line. --xip: reading the flash takes time (xip.mjs); flash_percent
+// is the share of the time in which the core waits for it.
 //
 // Exit status: 0; 1 where the frames did not come.
 //

@@ -28,9 +28,8 @@ const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000, HEIGHT = 240; // HEIGHT: of a picture of two cores
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, xip: 0, hold: '', tail: 0, head: 0, refuse: -1, stream: '',
-        until: '', second: '',
-        stop: '', fault: '' };
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, xip: 0, hold: '', tail: 0, head: 0, refuse: -1,
+        stream: '', until: '', second: '', stop: '', fault: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
         o[name] = typeof o[name] === 'number' ? Number(args[i + 1]) : args[i + 1];

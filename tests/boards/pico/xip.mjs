@@ -1,11 +1,11 @@
 // What reading the flash costs an RP2040: a core waits while a word comes over the serial flash. The emulator reads at
 // no cost; this is a model of the cache in front of the flash, with a stated cost a miss.
 //
-//   cache   16 KB, two ways, lines of 8 bytes (RP2040 datasheet, 2.6.3.1). A line is filled by halves: a miss fetches the
-//           word of 4 bytes that was asked for (measured by others: pico-feedback, issue 307). The older of two
+//   cache   16 KB, two ways, lines of 8 bytes (RP2040 datasheet, 2.6.3.1). A line is filled by halves: a miss fetches
+//           the word of 4 bytes that was asked for (measured by others: pico-feedback, issue 307). The older of two
 //           lines goes
-//   miss    the clocks of one read as firmware/boards/pico/boot2.S sets it up, "fast read, dual output": 8 of command, 24
-//           of address, 8 of pause, 16 of data, each two cycles at 125 MHz: 112 cycles
+//   miss    the clocks of one read as firmware/boards/pico/boot2.S sets it up, "fast read, dual output": 8 of command,
+//           24 of address, 8 of pause, 16 of data, each two cycles at 125 MHz: 112 cycles
 //
 // Not modelled: what two cores that miss at once wait for each other, and the flash chip's own time to select, some
 // cycles. Neither has been held against silicon.

@@ -160,7 +160,8 @@ function sample() {
 const lines = (text) => text.split('\n').filter(Boolean);
 // From make, so that this cannot differ from `make test`: what compiles an object, and what links a test
 const make = spawnSync('make', ['-s', 'mutate-settings', `B=${build}/mutate/plain`, 'SAN='], { encoding: 'utf8' });
-const set = Object.fromEntries(lines(make.stdout).map((l) => [l.slice(0, l.indexOf(' ')), l.slice(l.indexOf(' ') + 1)]));
+const setting = (l) => [l.slice(0, l.indexOf(' ')), l.slice(l.indexOf(' ') + 1)]; // NAME VALUE
+const set = Object.fromEntries(lines(make.stdout).map(setting));
 const TESTS = set.tests.split(' '), HELP = set.sources.split(' ');
 const CORE = sources.filter((f) => f.endsWith('.c')).map((f) => `${FROM}/${f}`);
 const OWN = set.files.split(' '); // tests/FOLDER/TEST.c
@@ -224,7 +225,8 @@ function link(exe, files, at, more = '') { // the objects of these files, in `at
 const textSha = (file) => sha(fs.readFileSync(file, 'utf8'));
 const timing = new Map(); // CASE: ms of the program itself
 function prepare() {
-    const file = path.join(dir, 'timing.json'), known = fs.existsSync(file) ? JSON.parse(fs.readFileSync(file, 'utf8')) : {};
+    const file = path.join(dir, 'timing.json');
+    const known = fs.existsSync(file) ? JSON.parse(fs.readFileSync(file, 'utf8')) : {};
     const core = sha(sources.map((f) => textOf[f]).join(''));
     const due = TESTS.filter((t) => known[t]?.of !== core + textSha(fileOf[t]));
     for (const t of due)
@@ -258,7 +260,9 @@ function cover() {
             const from = `${at}/of/${n}${at}/${FROM}`, reached = lines[name] = [];
             if (!fs.existsSync(from))
                 return;
-            const out = must(`cd ${from} && (cd ${at}/${FROM} && find . -name "*.gcno" | cpio -pd --quiet ${from}) && gcov -t --json-format $(find . -name "*.gcda") 2>/dev/null`);
+            const copied = `cd ${at}/${FROM} && find . -name "*.gcno" | cpio -pd --quiet ${from}`;
+            const out = must(`cd ${from} && (${copied}) && ` +
+                'gcov -t --json-format $(find . -name "*.gcda") 2>/dev/null');
             for (const text of out.split('\n').filter((l) => l.startsWith('{')))
                 for (const { file, lines: of } of JSON.parse(text).files)
                     if (file.includes('/zstrip/'))
@@ -280,7 +284,8 @@ function cover() {
 }
 
 const caught = {}; // CASE, FILE/CASE: how many mutants it has caught
-function order(m) { // of the cases that reach it, those first that are most likely to catch a mutant of its file, by the second
+// Of the cases that reach it, those first that are most likely to catch a mutant of its file, by the second
+function order(m) {
     const line = `${m.file}:${m.line}`;
     const worth = (t) => (0.3 + (caught[t] || 0) + 4 * (caught[`${m.file}/${t}`] || 0)) / (timing.get(t) + 20);
     return [...timing.keys()].filter((t) => !counted.has(line) || !reaches.get(t)?.size || reaches.get(t).has(line))
@@ -346,7 +351,8 @@ function verdictOf(m) { // what survived is asked again where tests have changed
     return k && (/^(caught|same|invalid)/.test(k.verdict) || k.tests === testsSha) ? k.verdict : null;
 }
 function record(m, verdict) {
-    fs.appendFileSync(resultsFile, `${id(m)} ${fileSha[m.file]} ${testsSha} ${verdict} ${m.file}:${m.line} ${m.what}\n`);
+    fs.appendFileSync(resultsFile,
+        `${id(m)} ${fileSha[m.file]} ${testsSha} ${verdict} ${m.file}:${m.line} ${m.what}\n`);
 }
 
 function reasons() { // "FILE: CODE: WHAT (column N)" of tests/records/MUTATION.txt, and the indented lines below it

@@ -3,7 +3,8 @@
  *
  *   runner list                        every case: NAME/CASE, a line
  *   runner measure NAME...             every case of these: NAME/CASE, its status, ms of the processor
- *   runner cover DIR                   the same of a program with coverage: what case n, of the list, reaches into DIR/n
+ *   runner cover DIR                   the same of a program with coverage: what case n, of the list, reaches into
+ *                                      DIR/n
  *   runner first <FILE                 FILE: NAME/CASE and how many ms it may take, a line; prints the first that fails
  *                                      and "late" where it took too long; nothing where all pass
  *

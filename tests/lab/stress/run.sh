@@ -54,13 +54,14 @@ END
     cat <<'END'
 
 tris: random triangles of all kinds whose corners lie on 1/256 px, thousands a frame, in strips, pools and with
-accelerators at random. Each pixel is that of the nearest triangle that covers it by whole numbers (within 1.0101 buckets, exactly where
-keys are flat), its key within 0.505 bucket of the exact plane; hidden triangles count by the pixels that they test.
+accelerators at random. Each pixel is that of the nearest triangle that covers it by whole numbers (within 1.0101
+buckets, exactly where keys are flat), its key within 0.505 bucket of the exact plane; hidden triangles count by the
+pixels that they test.
 frames: scenes that move, 64x64 (mostly) to 160x96, all shaders, mappings, states, clusters; strips, pools,
-buffers, accelerators, zs_damage_compare, zs_damage_track, zs_invalidate and shared strips at random, each frame eight ways against one
-strip, large pools and no accelerators. Counted are the ways compared, of frames of which 32 triangles and more were drawn (smaller
-ones were compared too). It did something: touch, tiles, clusters by what a frame's counts say; shaders and texel formats
-where an instance has them; batch and edges always.
+buffers, accelerators, zs_damage_compare, zs_damage_track, zs_invalidate and shared strips at random, each frame eight
+ways against one strip, large pools and no accelerators. Counted are the ways compared, of frames of which 32 triangles
+and more were drawn (smaller ones were compared too). It did something: touch, tiles, clusters by what a frame's counts
+say; shaders and texel formats where an instance has them; batch and edges always.
 Pixels of tris are covered ones, of frames all.
 END
 }
