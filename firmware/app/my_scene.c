@@ -55,7 +55,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     f->scene.light.diffuse = ZS_Q16_ONE * 3 / 4;
 
     zs_camera_perspective(&f->camera, ZS_DEGREES(45), w < h ? w : h, 1000, 30000); /* from 1 to 30 metres */
-    zs_camera_orbit(&f->camera, middle, 7000, 0, ZS_DEGREES(22));
+    zs_camera_orbit(&f->camera, middle, 7000, 0, ZS_PITCH(22));
 }
 
 /* Accelerators: what is named here is linked and makes frames quicker; the picture stays the same. Other shaders and

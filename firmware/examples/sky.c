@@ -42,7 +42,7 @@ int example_sky(uint32_t t, const struct zs_sink *sink)
     const int32_t eye[3] = { 0, 0, 0 }, dir[3] = { zs_sin((zs_turn)(t * 500)), 0, -zs_cos((zs_turn)(t * 500)) };
     int err = zs_camera_perspective(&camera, ZS_DEGREES(45), EXAMPLE_H, 1, 200);
     err = err ? err : zs_camera_look_along(&camera, eye, dir, up);
-    err = err ? err : zs_sky_panorama(&sky, &mountains, ZS_DEGREES(30), (int16_t)ZS_DEGREES(-15));
+    err = err ? err : zs_sky_panorama(&sky, &mountains, ZS_PITCH(30), ZS_PITCH(-15));
     zs_sky_look(&sky, &camera, &whole, NULL);
     for (int k = 0; k < 3 && !err; k++) {
         instance[k] = (struct zs_instance){ .mesh = &tree, .material = &painted };

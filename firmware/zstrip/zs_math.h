@@ -75,7 +75,7 @@ ZS_NODISCARD int zs_camera_look_along(struct zs_camera *camera, const int32_t ey
  *
  * distance  world units, > 0.
  * yaw       0: the camera stands on the point's +z side; ZS_DEGREES(90): on its +x side.
- * pitch     -16383 .. 16383, a signed angle, 65536 to the turn: > 0 raises the eye.
+ * pitch     -16383 .. 16383, a signed angle, 65536 to the turn: ZS_PITCH(20) raises the eye.
  * Return    ZS_OK; ZS_ERR_RANGE; ZS_ERR_VECTOR (pitch or distance out of range): camera is
  *           untouched. */
 ZS_NODISCARD int zs_camera_orbit(struct zs_camera *camera, const int32_t at[3], int32_t distance,

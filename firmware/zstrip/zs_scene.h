@@ -45,11 +45,13 @@ typedef uint16_t zs_turn;    /* angles, 65536 to the turn */
 /* Degrees as a zs_turn, rounded to nearest, at compile time: ZS_DEGREES(45), ZS_DEGREES(-22.5).
  * degrees  a literal, or an expression of literals, with or without a fraction; |.| < 1,000,000.
  *          With GCC and Clang a variable does not compile, as it could need floating point at run
- *          time. Write (zs_turn)(degrees * 65536 / 360) for it. */
+ *          time. Write (zs_turn)(degrees * 65536 / 360) for it.
+ * The number added is 4096 * 65536 * 360, whole turns, and 180, half of the divisor. */
 #define ZS_DEGREES(degrees)                                                                        \
     ZS_CAST(zs_turn,                                                                               \
-            ZS_U32(((degrees) * INT64_C(65536) + (INT64_C(4096) * 65536 * 360 + 180)) / 360) +     \
-                ZS_LITERAL(degrees))
+            ZS_U32(((degrees) * INT64_C(65536) + INT64_C(96636764340)) / 360) + ZS_LITERAL(degrees))
+/* The same as a signed angle, -180 .. below 180 degrees, for an int16_t: ZS_PITCH(-15). */
+#define ZS_PITCH(degrees) ZS_CAST(int16_t, (ZS_DEGREES(degrees) ^ 32768) - 32768)
 /* 0 for a constant; for a variable, a bit-field or an array of negative size. */
 #if defined(__GNUC__) && !defined(__cplusplus)
 #define ZS_LITERAL(value)                                                                          \

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "material.h"
+#include "mirrored.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -347,7 +348,7 @@ static void load_mask(struct sim_model *model, struct sim_image *image, const st
 }
 
 static int load_texture(struct sim_model *model, const struct aiScene *scene,
-                        const struct sim_use *use, uint8_t clamp, const char *material)
+                        const struct sim_use *use, uint8_t clamp, unsigned mirrored, const char *material)
 {
     struct sim_image image = { 0 };
     const struct aiTexture *embedded = find_embedded(scene, use->path);
@@ -367,6 +368,11 @@ static int load_texture(struct sim_model *model, const struct aiScene *scene,
     }
     if (status == SIM_OK) {
         load_mask(model, &image, use, material);
+        status = sim_mirror_picture(&image, mirrored, name);
+        if (status != SIM_OK)
+            sim_image_free(&image);
+    }
+    if (status == SIM_OK) {
         status = add_texture(model, &image, name, use->factor, clamp);
         take_alpha(model, &model->texture[model->n_textures - 1], use);
     }
@@ -382,18 +388,10 @@ static uint8_t clamp_of(const struct sim_use *use, enum sim_wrap wrap)
                      (use->mode[1] == aiTextureMapMode_Clamp ? ZS_CLAMP_V : 0));
 }
 
-/* Inside the picture, mirrored repeat is as good as any. */
-static int check_mirror(const struct sim_model *model, uint32_t material, const struct sim_use *use)
+static unsigned mirrored_axes(const struct sim_use *use)
 {
-    for (int axis = 0; axis < 2; axis++)
-        for (uint32_t t = 0; use->mode[axis] == aiTextureMapMode_Mirror && t < model->n_tris; t++)
-            for (int k = 0; model->tri_material[t] == material && k < 3; k++)
-                if (model->uv[t][k][axis] < 0.0 || model->uv[t][k][axis] > 1.0)
-                    return sim_refuse(model->file, 0,
-                                      "material '%s' repeats its texture mirrored, which the "
-                                      "renderer cannot; give --wrap repeat or --wrap clamp",
-                                      model->material[material].name);
-    return SIM_OK;
+    return (use->mode[0] == aiTextureMapMode_Mirror ? SIM_AXIS_U : 0u) |
+           (use->mode[1] == aiTextureMapMode_Mirror ? SIM_AXIS_V : 0u);
 }
 
 static int same_use(const struct sim_use *a, const struct sim_use *b)
@@ -401,6 +399,25 @@ static int same_use(const struct sim_use *a, const struct sim_use *b)
     return strcmp(a->path, b->path) == 0 && a->mode[0] == b->mode[0] && a->mode[1] == b->mode[1] &&
            memcmp(a->factor, b->factor, sizeof a->factor) == 0 && strcmp(a->mask, b->mask) == 0 &&
            a->alpha_mode == b->alpha_mode && a->alpha_least == b->alpha_least;
+}
+
+/* The axes along which a texture is doubled, for materials from `first` on that share it. */
+static unsigned doubled_axes(const struct sim_model *model, const struct sim_use *use, const uint8_t *used,
+                             uint32_t first)
+{
+    unsigned axes = 0;
+    for (uint32_t i = first; i < model->n_materials; i++)
+        if (used[i] && same_use(&use[first], &use[i]))
+            axes |= sim_mirror_leaves(model, i, mirrored_axes(&use[i]));
+    return axes;
+}
+
+static void halve_uv(struct sim_model *model, const struct sim_use *use, const uint8_t *used, uint32_t first,
+                     unsigned axes)
+{
+    for (uint32_t i = first; i < model->n_materials; i++)
+        if (used[i] && same_use(&use[first], &use[i]))
+            sim_mirror_uv(model, i, axes);
 }
 
 static uint8_t *used_materials(const struct sim_model *model)
@@ -421,15 +438,16 @@ static int own_textures(struct sim_model *model, const struct aiScene *scene,
         uint32_t same = 0;
         if (!used[i] || use[i].path[0] == '\0')
             continue;
-        if (wrap == SIM_WRAP_FILE)
-            status = check_mirror(model, i, &use[i]);
         while (same < i && !(used[same] && same_use(&use[same], &use[i])))
             same++;
         const uint32_t before = model->n_textures;
-        if (status == SIM_OK && same == i) {
+        if (same == i) {
+            const unsigned axes = wrap == SIM_WRAP_FILE ? doubled_axes(model, use, used, i) : 0;
             sim_quiet += lenient;
-            status = load_texture(model, scene, &use[i], clamp_of(&use[i], wrap), model->material[i].name);
+            status = load_texture(model, scene, &use[i], clamp_of(&use[i], wrap), axes, model->material[i].name);
             sim_quiet -= lenient;
+            if (status == SIM_OK)
+                halve_uv(model, use, used, i, axes);
             if (status != SIM_OK && lenient) {
                 sim_lose(model->lost, SIM_LOST_TEXTURE, use[i].path);
                 status = SIM_OK;

@@ -62,6 +62,7 @@ struct load {
     int has_materials;           /* OBJ: a material file was read */
     const struct sim_want *want;
     const struct aiScene *scene;
+    int wide_materials;          /* flag: an OBJ's material file has been refused */
     char complaint[200];         /* of assimp's about indices; else empty */
     struct sim_weld weld;
     size_t face, corner;         /* OBJ: next of the scan */
@@ -107,6 +108,25 @@ static int read_file(struct load *l)
         return sim_refuse(l->file, 0, "cannot be read: %s",
                           bad ? strerror(errno) : "it got shorter");
     l->text[got] = '\0';
+    return SIM_OK;
+}
+
+/* Is text in characters of 16 or 32 bits, each with one byte that is not 0? Then say so. */
+static int check_wide(const char *file, const char *text, size_t bytes)
+{
+    for (size_t unit = 2; unit <= 4; unit += 2) {
+        size_t at = unit, most = bytes < 64 ? bytes : 64; /* the first one may be a byte order mark */
+        unsigned places = 0;                              /* bits: which byte of a character is not 0 */
+        for (; at + unit <= most; at += unit) {
+            unsigned filled = 0;
+            for (size_t k = 0; k < unit; k++)
+                filled |= text[at + k] != 0 ? 1u << k : 0u;
+            places |= filled != 0 ? filled : 1u << 8;
+        }
+        if (at >= 5 * unit && (places == 1u || places == 1u << (unit - 1)))
+            return sim_refuse(file, 0, "is UTF-%u text; save it as UTF-8, as by iconv -f UTF-%u -t UTF-8",
+                              8 * (unsigned)unit, 8 * (unsigned)unit);
+    }
     return SIM_OK;
 }
 
@@ -191,6 +211,11 @@ static char *read_materials(struct load *l, const char *name, size_t *bytes)
         l->model->lost_materials = path;
         return NULL;
     }
+    if (l->wide_materials || (text != NULL && check_wide(path, text, *bytes) != SIM_OK)) {
+        l->wide_materials = 1; /* said once; assimp tries other names */
+        free(text);
+        text = NULL;
+    }
     free(path);
     if (text != NULL) {
         l->has_materials = 1;
@@ -254,7 +279,7 @@ static int import(struct load *l)
     l->scene = aiImportFileEx(l->file, 0, &io);
     if (l->family != FAMILY_OBJ)
         (void)aiDetachLogStream(&log);
-    if (sim_outside_check() != SIM_OK)
+    if (sim_outside_check() != SIM_OK || l->wide_materials)
         return SIM_REFUSED;
     if (l->scene == NULL) {
         const char *why = aiGetErrorString();
@@ -642,6 +667,8 @@ static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[1
 static int look_through(struct load *l)
 {
     int status = read_file(l);
+    if (status == SIM_OK)
+        status = check_wide(l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OBJ)
         status = sim_obj_scan(&l->obj, l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_PLY)

@@ -63,7 +63,7 @@ function paintNumbers(paint) {
         ...(paint.textureFactor ?? [ 1, 1, 1 ]),
         modes[paint.alpha] ?? (opacity < 1 ? 2 : 0),
         flag(paint.twoSided, 1) | flag(paint.unlit, 2) | flag(paint.clampU, 4) | flag(paint.clampV, 8) |
-            flag(paint.saysAlpha, 16),
+            flag(paint.saysAlpha, 16) | flag(paint.mirrorU, 32) | flag(paint.mirrorV, 64),
         paint.texture ?? -1,
     ];
 }
@@ -192,7 +192,7 @@ export class Engine {
      * @typedef {{name?: string, color?: number[], emission?: number[], specular?: number[], power?: number,
      *            opacity?: number, alpha?: 'opaque'|'mask'|'blend', alphaLeast?: number, twoSided?: boolean,
      *            unlit?: boolean, texture?: number, textureFactor?: number[], clampU?: boolean, clampV?: boolean,
-     *            saysAlpha?: boolean}} Material  texture: into textures; saysAlpha: its format says what alpha does
+     *            mirrorU?: boolean, mirrorV?: boolean, saysAlpha?: boolean}} Material  texture: into textures; saysAlpha: its format says what alpha does
      * @typedef {{name?: string, width: number, height: number, rgba: Uint8Array|Uint8ClampedArray}} Texture
      * @returns {Answer & {losses: string[]}} losses: what of the file is not carried over */
     setModel(model) {

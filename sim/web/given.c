@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "given.h"
+#include "mirrored.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -85,9 +86,9 @@ static void take_paint(struct sim_material *to, const struct web_paint *p, const
 }
 
 /* A picture of its own for a material's texture. */
-static void add_texture(struct sim_model *model, const struct web_image *from,
+static int add_texture(struct sim_model *model, const struct web_image *from,
                         const struct web_paint *p, const struct sim_material *material,
-                        enum sim_wrap wrap)
+                        enum sim_wrap wrap, unsigned mirrored)
 {
     const size_t n = (size_t)from->width * from->height;
     struct sim_image image = { from->width, from->height, sim_alloc(n, 3), NULL };
@@ -101,6 +102,10 @@ static void add_texture(struct sim_model *model, const struct web_image *from,
         for (size_t i = 0; i < n; i++)
             image.alpha[i] = from->rgba[4 * i + 3];
     }
+    if (sim_mirror_picture(&image, mirrored, from->name) != SIM_OK) {
+        sim_image_free(&image);
+        return SIM_REFUSED;
+    }
     model->texture = sim_grow(model->texture, (size_t)model->n_textures + 1,
                               sizeof *model->texture);
     struct sim_texture *t = &model->texture[model->n_textures++];
@@ -112,28 +117,50 @@ static void add_texture(struct sim_model *model, const struct web_image *from,
     t->alpha_mode = t->image.alpha != NULL ? material->alpha_mode : SIM_ALPHA_OPAQUE;
     t->alpha_least = material->alpha_least;
     if (t->alpha_mode != SIM_ALPHA_OPAQUE || t->image.alpha == NULL)
-        return;
+        return SIM_OK;
     if (!has_flag(p, WEB_SAYS_ALPHA))
         sim_lose(model->lost, SIM_LOST_TEXEL_ALPHA, t->name);
     free(t->image.alpha);
     t->image.alpha = NULL;
+    return SIM_OK;
 }
 
 static int same_texture(const struct web_paint *a, const struct web_paint *b)
 {
-    const int clamps = WEB_CLAMP_U | WEB_CLAMP_V;
+    const int clamps = WEB_CLAMP_U | WEB_CLAMP_V | WEB_MIRROR_U | WEB_MIRROR_V;
     return a->texture == b->texture && memcmp(a->factor, b->factor, sizeof a->factor) == 0 &&
            a->alpha_mode == b->alpha_mode && a->alpha_least == b->alpha_least &&
            ((int)a->flags & clamps) == ((int)b->flags & clamps);
 }
 
-/* Of materials of faces with uv. */
-static void add_textures(struct sim_model *model, const struct web_given *g, enum sim_wrap wrap)
+/* The axes along which a texture is doubled (mirrored.h), for materials from `first` on that share it; and halve their
+ * texture coordinates. */
+static unsigned double_texture(struct sim_model *model, const struct web_given *g, const uint8_t *used,
+                               uint32_t first)
 {
+    const struct web_paint *p = &g->paint[first];
+    const unsigned mirrored = (has_flag(p, WEB_MIRROR_U) ? SIM_AXIS_U : 0u) |
+                              (has_flag(p, WEB_MIRROR_V) ? SIM_AXIS_V : 0u);
+    unsigned axes = 0;
+    for (int halve = 0; halve < 2; halve++)
+        for (uint32_t i = first; i < model->n_materials; i++)
+            if (used[i] && same_texture(p, &g->paint[i])) {
+                if (halve)
+                    sim_mirror_uv(model, i, axes);
+                else
+                    axes |= sim_mirror_leaves(model, i, mirrored);
+            }
+    return axes;
+}
+
+/* Of materials of faces with uv. */
+static int add_textures(struct sim_model *model, const struct web_given *g, enum sim_wrap wrap)
+{
+    int status = SIM_OK;
     uint8_t *used = sim_alloc(model->n_materials, 1);
     for (uint32_t t = 0; t < model->n_tris; t++)
         used[model->tri_material[t]] |= model->has_uv[t];
-    for (uint32_t i = 0; i < model->n_materials; i++) {
+    for (uint32_t i = 0; status == SIM_OK && i < model->n_materials; i++) {
         const struct web_paint *p = &g->paint[i];
         uint32_t same = 0;
         if (!used[i] || !(p->texture >= 0.0 && p->texture < g->n_images))
@@ -141,11 +168,13 @@ static void add_textures(struct sim_model *model, const struct web_given *g, enu
         while (same < i && !(used[same] && same_texture(&g->paint[same], p)))
             same++;
         if (same == i)
-            add_texture(model, &g->image[(uint32_t)p->texture], p, &model->material[i], wrap);
+            status = add_texture(model, &g->image[(uint32_t)p->texture], p, &model->material[i], wrap,
+                                 wrap == SIM_WRAP_FILE ? double_texture(model, g, used, i) : 0u);
         model->material[i].texture = same < i ? model->material[same].texture
                                               : model->n_textures - 1;
     }
     free(used);
+    return status;
 }
 
 /* ---- Triangles ---------------------------------------------------------------------------------- */
@@ -273,7 +302,7 @@ int sim_model_load(struct sim_model *model, const char *file, const struct sim_w
         status = sim_model_fill_bounds(model);
     }
     if (status == SIM_OK && want->textures)
-        add_textures(model, g, want->wrap);
+        status = add_textures(model, g, want->wrap);
     if (status != SIM_OK)
         sim_model_free(model);
     return status;

@@ -23,7 +23,9 @@ enum web_paint_flag {
     WEB_UNLIT = 2,
     WEB_CLAMP_U = 4,
     WEB_CLAMP_V = 8,
-    WEB_SAYS_ALPHA = 16
+    WEB_SAYS_ALPHA = 16,
+    WEB_MIRROR_U = 32,
+    WEB_MIRROR_V = 64
 };
 
 struct web_image {

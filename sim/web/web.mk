@@ -6,7 +6,7 @@
 WEB_SIM = $(wildcard $(patsubst %,sim/%/*.c,effect frame compare reference panel panel_model web)) \
           $(addprefix sim/cli/,accelerator_names.c option_help.c option_table.c render.c render_options.c sim.c \
               value.c) \
-          $(addprefix sim/load/,losses.c model_shape.c picture.c) \
+          $(addprefix sim/load/,losses.c mirrored.c model_shape.c picture.c) \
           $(addprefix sim/convert/,cluster.c convert_options.c convert_write.c converted.c grid_step.c hierarchy.c \
               mesh_pieces.c palette.c quantise.c resample.c scene_parts.c simplify.c \
               texel_pack.c) \

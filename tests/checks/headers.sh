@@ -9,7 +9,7 @@
 HEADERS="$(echo firmware/zstrip/*.h) firmware/scenes/scenes.h hal/hal.h hal/second.h hal/panel/panel.h"
 INC='-Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel'
 # Freestanding, because glibc's own headers make _Static_assert C99
-STRICT='-ffreestanding -Wall -Wextra -Wpedantic -Wconversion -Wundef -Werror'
+STRICT='-ffreestanding -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wundef -Werror'
 C="$STRICT -Wshadow -Wstrict-prototypes" # no -Wshadow in C++: a function is called as its struct, as in POSIX's stat
 CXX="$STRICT -Wold-style-cast"
 
@@ -34,6 +34,7 @@ static const int16_t pos[4][3] = { { -9, -9, 0 }, { 9, -9, 0 }, { 9, 9, 0 }, { -
 static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 static const struct zs_material material = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff) };
 static const zs_turn angle[3] = { ZS_DEGREES(45), ZS_DEGREES(-22.5), ZS_DEGREES(360u) };
+static const int16_t pitch[2] = { ZS_PITCH(-15), ZS_PITCH(22.5) };
 static const uint16_t navy = ZS_RGB565(0x000080);
 extern char constant[ZS_DEGREES(90) == 16384 && ZS_RGB565(0xffffff) == 65535 && ZS_VERSION > 0 ? 1 : -1];
 static const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .bias = -4 };
@@ -60,7 +61,7 @@ int main(void)
     screen_config.depth = &zs_depth_linear;
     screen_config.fast = fast;
     other_config.depth = &zs_depth_linear;
-    if (angle[0] != 8192 || angle[1] != 61440 || angle[2] != 0 || navy != zs_rgb565(0, 0, 128))
+    if (angle[0] != 8192 || angle[1] != 61440 || angle[2] != 0 || pitch[0] != -2731 || pitch[1] != 4096 || navy != zs_rgb565(0, 0, 128))
         return 3;
     if (ZS_INIT(other) || ZS_INIT(bare) || ZS_INIT(screen))
         return ZS_INIT(screen) == ZS_ERR_BUILD ? 7 : 5;
@@ -113,6 +114,7 @@ zs_depth_state make_state()
 const zs_depth_state state = make_state();
 static_assert(ZS_WORLD_MAX < ZS_FAR_MAX && ZS_FOCAL_MIN < ZS_FOCAL_MAX, "limits are constants");
 constexpr zs_turn angle[3] = { ZS_DEGREES(45), ZS_DEGREES(-22.5), ZS_DEGREES(360u) };
+static_assert(ZS_PITCH(-15) == -2731 && ZS_PITCH(22.5) == 4096, "signed angles are constants");
 static_assert(angle[0] == 8192 && angle[1] == 61440 && angle[2] == 0, "angles are constants");
 static_assert(ZS_RGB565(0xffffff) == 65535 && ZS_VERSION > 0, "colours are constants");
 constexpr zs_rgb white = ZS_RGB(0xffffff);

@@ -684,6 +684,17 @@ sed -e 's/element face 1/element face 0/' -e '$d' quad_ascii.ply >points.ply
 refused no_faces_ply 'no faces' points.ply
 printf 'solid x\nendsolid x\n' >points.stl
 refused no_faces_stl 'no faces' points.stl
+for model in quad.obj quad_ascii.ply quad_ascii.stl quad.gltf; do
+    iconv -f UTF-8 -t UTF-16 $model >"wide.${model##*.}"
+    refused "utf16_${model##*.}" 'is UTF-16 text; save it as UTF-8' "wide.${model##*.}"
+done
+iconv -f UTF-8 -t UTF-32BE quad.obj >wide.obj
+refused utf32 'is UTF-32 text; save it as UTF-8' wide.obj
+printf 'newmtl A\nKd 1 0 0\n' | iconv -f UTF-8 -t UTF-16LE >wide.mtl
+obj wide_mtl 'mtllib wide.mtl' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'usemtl A' 'f 1 2 3'
+what='wide.mtl: is UTF-16 text'
+z render wide_mtl.obj --out refused/old.png
+[ $status -eq 1 ] && [ "$(wc -l <stderr)" -eq 1 ] && grep -q "$what" stderr || wrong "UTF-16 materials: $(said)"
 face() { # NAME WHAT F-LINE
     obj "face_$1" 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'vn 0 0 1' 'vt 0 0' 'f 1 2 3' "$3"
     refused "$1" "face_$1.obj:7:" "face_$1.obj"

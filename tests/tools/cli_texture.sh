@@ -245,8 +245,23 @@ color wrap 165 75 00ff00
 gltf '"uri":"four.png"' "$bin" '' '"wrapS":33648,"wrapT":33648' >wrap.gltf # mirrored, but inside
 draw wrap wrap.gltf $plain --shade unlit
 same four wrap
-gltf '"uri":"four.png"' "$bin" '' '"wrapT":33648' "$five" >mirror.gltf
-draw wrap mirror.gltf $plain --shade unlit --wrap repeat
+# Mirrored: as a picture that has its mirror image beside and below it
+./fixture png rgb sixteen.png 4 4 $(for y in 0 1 1 0; do for x in 0 1 1 0; do
+    echo $four | cut -d ' ' -f $((2 * y + x + 1))
+done; done)
+./fixture png rgb eight.png 2 4 $(for y in 0 1 1 0; do echo $four | cut -d ' ' -f $((2 * y + 1)),$((2 * y + 2)); done)
+uv_obj halves -1 -0.5 1.5 2
+uv_obj half -2 -0.5 3 2
+gltf '"uri":"four.png"' "$bin" '' '"wrapS":33648,"wrapT":33648' "$five" >mirror.gltf
+draw wrap mirror.gltf $plain --shade unlit
+draw as halves.obj $plain --shade unlit --texture sixteen.png --wrap repeat
+same as wrap
+gltf '"uri":"four.png"' "$bin" '' '"wrapT":33648' "$five" >mirror.gltf # v alone
+draw wrap mirror.gltf $plain --shade unlit
+draw as half.obj $plain --shade unlit --texture eight.png --wrap repeat
+same as wrap
+draw repeated mirror.gltf $plain --shade unlit --wrap repeat
+cmp -s out/wrap.png out/repeated.png && wrong "mirrored is as repeated"
 
 # ---- Drawing --------------------------------------------------------------------------------------------
 begin repeat_and_clamp
@@ -515,7 +530,6 @@ obj lost 'mtllib lost.mtl' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'vt 0 0' 'vt 1 0' 'vt 0
 refused missing_mtl 'lost.mtl' lost.obj --shade unlit
 refused no_coordinates 'no texture coordinates' quad.obj --shade textured --texture four.png
 refused texture_without_shade '--shade textured' bare.obj --shade flat --texture four.png
-refused mirrored 'mirrored' mirror.gltf --shade unlit
 gltf '"uri":"four.png"' "$bin" '' '' ',"extensions":{"KHR_texture_transform":{"rotation":0.5}}' >turned.gltf
 refused rotated 'rotates its texture' turned.gltf --shade unlit
 uv_obj often 0 0 1000.37 1000.37

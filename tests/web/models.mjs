@@ -1,7 +1,7 @@
 /* Models of each format that the page reads, of one ring, with a texture where the format has one.
  *
  * Usage: node tests/web/models.mjs FOLDER: ring.obj, ring.mtl, ring.png, ring.stl, ring.ply, ring.glb,
- * sparse.glb, draco.gltf
+ * mirrored.glb, sparse.glb, draco.gltf
  *
  * SPDX-License-Identifier: MIT
  */
@@ -170,6 +170,10 @@ function glb(name) {
     write(name, Buffer.concat([...head, json, words(bytes), Buffer.from('BIN\0'), bin]));
 }
 glb('ring.glb');
+gltf.samplers = [{ wrapS: 33648, wrapT: 33071 }];
+gltf.textures[0].sampler = 0;
+glb('mirrored.glb');
+delete gltf.textures[0].sampler;
 gltf.accessors[0].sparse = {
     count: replaced.length,
     indices: { bufferView: 5, componentType: 5123 },

@@ -237,6 +237,7 @@ await test('web_obj', () => compare('ring.obj', 'ring.mtl', 'ring.png'));
 await test('web_stl', () => compare('ring.stl'));
 await test('web_ply', () => compare('ring.ply'));
 await test('web_glb', () => compare('ring.glb'));
+await test('web_mirrored', () => compare('mirrored.glb'));
 await test('web_sparse', () => compare('sparse.glb'));
 
 await test('web_files', async () => {

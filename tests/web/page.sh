@@ -37,7 +37,7 @@ awk 'BEGIN {
 printf 'newmtl clay\nKd 0.8 0.45 0.2\nnewmtl blue\nKd 0.1 0.3 0.7\n' >"$work/held.mtl"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# a face that is not there\nf 1 2 9\n' >"$work/bad.obj"
 node tests/web/models.mjs "$work" || bad web_models "they could not be made"
-for model in held.obj ring.obj ring.stl ring.ply ring.glb sparse.glb; do
+for model in held.obj ring.obj ring.stl ring.ply ring.glb mirrored.glb sparse.glb; do
     "$build/zsim" render "$work/$model" --panel st7789:240x240 --out "$work/$model.png" 2>"$work/zsim.log" ||
         bad "web_zsim_$model" "zsim render: $(head -c 300 "$work/zsim.log")"
 done
@@ -50,6 +50,8 @@ printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n' >"$broken/nan.obj"
 printf 'v 0 0 0\nv 1 0 0\nv one 1 0\nf 1 2 3\n' >"$broken/one.obj"
 printf 'v 0 0 0\nv 1 0 0\nf 1 2\n' >"$broken/two.obj"
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >"$broken/line.obj"
+iconv -f UTF-8 -t UTF-16 "$work/bad.obj" >"$broken/wide.obj"
+iconv -f UTF-8 -t UTF-32BE "$work/bad.obj" >"$broken/wider.obj"
 head -c 300 "$work/ring.stl" >"$broken/cut.stl"
 head -c 50 "$work/ring.stl" >"$broken/head.stl"
 printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n' >"$broken/text.stl"

@@ -33,7 +33,7 @@ int cube_begin(uint16_t w, uint16_t h)
     screen_config.fast = fast;
     int err = ZS_INIT(screen);
     err = err ? err : zs_camera_perspective(&camera, ZS_DEGREES(45), w < h ? w : h, 1000, 20000);
-    return err ? err : zs_camera_orbit(&camera, middle, 5000, 0, ZS_DEGREES(25));
+    return err ? err : zs_camera_orbit(&camera, middle, 5000, 0, ZS_PITCH(25));
 }
 
 static void turn(uint32_t frame)

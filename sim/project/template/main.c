@@ -62,7 +62,7 @@ int main(void)
     err = err ? err : panel_init(&panel, &glass, hal_bus(), @SCRATCH_ARGS@);
     err = err ? err : ZS_INIT(screen);
     err = err ? err : zs_camera_perspective(&camera, ZS_DEGREES(45), W < H ? W : H, MODEL_RADIUS, 5 * MODEL_RADIUS);
-    err = err ? err : zs_camera_orbit(&camera, middle, 3 * MODEL_RADIUS, ZS_DEGREES(22), ZS_DEGREES(19));
+    err = err ? err : zs_camera_orbit(&camera, middle, 3 * MODEL_RADIUS, ZS_DEGREES(22), ZS_PITCH(19));
     for (uint32_t t = 0; !err && (t == 0 || t != FRAMES); t++) {
         for (uint32_t i = 0; i < MODEL_INSTANCES; i++) {
             instance[i] = model_instance[i];

@@ -55,6 +55,21 @@ async function loadTextures(model, given) {
     return model;
 }
 
+/* The bits of a character, 16 or 32, of text in which each has one byte that is not 0; else 0. The first one may be a
+ * byte order mark. */
+function wideText(bytes) {
+    for (const unit of [2, 4]) {
+        const most = Math.min(bytes.length, 64),
+            places = new Set();
+        let at = unit;
+        for (; at + unit <= most; at += unit)
+            places.add(String([...bytes.subarray(at, at + unit)].map((b) => +(b !== 0))));
+        const is = (k) => places.has(String(Array.from({ length: unit }, (_, i) => +(i === k))));
+        if (at >= 5 * unit && places.size === 1 && (is(0) || is(unit - 1))) return 8 * unit;
+    }
+    return 0;
+}
+
 /** Read a model. files: of a drop or a file picker. Throws BadModel with one sentence. */
 export async function readModel(files) {
     const given = new Map();
@@ -67,6 +82,9 @@ export async function readModel(files) {
     const bytes = given.get(baseName(file.name).toLowerCase());
     if (bytes.length === 0) throw new BadModel(file.name, 0, 'is empty; get the model again');
     const other = (path) => given.get(baseName(path).toLowerCase()) || null;
+    const wide = wideText(bytes);
+    if (wide)
+        throw new BadModel(file.name, 0, `is UTF-${wide} text; save it as UTF-8, as by iconv -f UTF-${wide} -t UTF-8`);
     const text = (b) => new TextDecoder().decode(b);
     const kind = MODEL.exec(file.name)[1].toLowerCase();
     const model =

@@ -208,13 +208,26 @@ class Gltf {
                 saysAlpha: true,
                 textureFactor: base.slice(0, 3),
             };
-            if (pbr.baseColorTexture) made.texture = pbr.baseColorTexture.index;
+            if (pbr.baseColorTexture) Object.assign(made, this.texture(pbr.baseColorTexture.index));
             if (m.emissiveFactor && m.emissiveFactor.some((c) => c > 0)) made.emission = m.emissiveFactor;
             if (m.extensions && m.extensions.KHR_materials_unlit) made.unlit = true;
             return made;
         });
         if (this.usesPlain) out.push({ name: '' });
         return out;
+    }
+
+    /* A material's texture, and what is beyond its picture. */
+    texture(index) {
+        const { sampler } = (this.json.textures || [])[index] || {},
+            { wrapS, wrapT } = (this.json.samplers || [])[sampler] || {};
+        return {
+            texture: index,
+            clampU: wrapS === 33071,
+            clampV: wrapT === 33071,
+            mirrorU: wrapS === 33648,
+            mirrorV: wrapT === 33648,
+        };
     }
 
     textures() {
