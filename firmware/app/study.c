@@ -51,17 +51,11 @@ __attribute__((noinline)) int study_frame(void)
 static int measure(const struct setting *s)
 {
     const struct demo *d = s->demo;
-    const struct zs_config config = { .width = d->width,
-                                      .height = d->height,
-                                      .strip_h = s->strip_h,
-                                      .max_tris = s->max_tris,
-                                      .max_verts = s->max_verts,
-                                      .varyings = (uint8_t)d->varyings,
-                                      .buffers = s->buffers,
-                                      .subpixel_bits = s->subpixel_bits,
-                                      .depth_bits = s->depth_bits,
-                                      .depth = s->depth,
-                                      .fast = d->fast };
+    const struct zs_config config = {
+        .width = d->width, .height = d->height, .strip_h = s->strip_h, .max_tris = s->max_tris,
+        .max_verts = s->max_verts, .varyings = (uint8_t)d->varyings, .buffers = s->buffers,
+        .subpixel_bits = s->subpixel_bits, .depth_bits = s->depth_bits, .depth = s->depth, .fast = d->fast
+    };
     char room[NUMBER_CHARS], hex[HEX_CHARS];
     uint64_t checksum = REPORT_HASH, ticks = 0;
     const struct zs_sink to_sum = { .submit = report_hash, .ctx = &checksum };

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "examples.h"
+#include "icosahedron.h"
 #include "zs_math.h"
 #include "zs_shader.h"
 
@@ -27,23 +28,11 @@ static const struct zs_shader toon = {
 };
 static const struct zs_material orange = { .shader = &toon, .rgb = ZS_RGB(0xff8020) };
 
-#define A 17225 /* corners of an icosahedron are its normals too: A * A + B * B is 32767^2 */
-#define B 27873
-static const int16_t shape[12][3] = { { -A, B, 0 }, { A, B, 0 }, { -A, -B, 0 }, { A, -B, 0 },
-                                      { 0, -A, B }, { 0, A, B }, { 0, -A, -B }, { 0, A, -B },
-                                      { B, 0, -A }, { B, 0, A }, { -B, 0, -A }, { -B, 0, A } };
-static const uint16_t tri[20][3] = { { 0, 11, 5 }, { 0, 5, 1 },  { 0, 1, 7 },   { 0, 7, 10 }, { 0, 10, 11 },
-                                     { 1, 5, 9 },  { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 },
-                                     { 3, 9, 4 },  { 3, 4, 2 },  { 3, 2, 6 },   { 3, 6, 8 },  { 3, 8, 9 },
-                                     { 4, 9, 5 },  { 2, 4, 11 }, { 6, 2, 10 },  { 8, 6, 7 },  { 9, 8, 1 } };
-static const struct zs_mesh ball = {
-    .pos = shape, .normal = shape, .tri = tri, .n_verts = 12, .n_tris = 20, .radius = 32768
-};
 ZS_RENDERER(screen, EXAMPLE_W, EXAMPLE_H, 8, 20, 12, 1);
 
 int example_toon(uint32_t t, const struct zs_sink *sink)
 {
-    struct zs_instance instance = { .mesh = &ball, .material = &orange };
+    struct zs_instance instance = { .mesh = &icosahedron, .material = &orange };
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = ZS_RGB565(0x000050) };
     struct zs_camera camera;
     screen_config.depth = &zs_depth_float;

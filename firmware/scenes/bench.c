@@ -17,12 +17,7 @@ static void open_bench(struct demo_frame *f, uint16_t w)
     static const struct zs_rgb black = { 0, 0, 0 };
     stage_open(f, black);
     struct zs_camera *c = &f->camera;
-    struct zs_pose none;
-    zs_pose_identity(&none);
-    for (int i = 0; i < 9; i++)
-        c->rot[i] = none.rot[i];
-    for (int i = 0; i < 3; i++)
-        c->pos[i] = 0;
+    stage_unturned(c);
     c->projection = ZS_PERSPECTIVE;
     c->focal = (zs_uq32_32)w << 32;
     c->height = 0; /* not read */

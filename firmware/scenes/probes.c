@@ -183,12 +183,7 @@ static void grid_make(const struct plan *p)
 static void lens(struct demo_frame *f, const struct plan *p)
 {
     struct zs_camera *c = &f->camera;
-    struct zs_pose none;
-    zs_pose_identity(&none);
-    for (int i = 0; i < 9; i++)
-        c->rot[i] = none.rot[i];
-    for (int i = 0; i < 3; i++)
-        c->pos[i] = 0;
+    stage_unturned(c);
     c->projection = p->flags & ORTHO ? ZS_ORTHOGRAPHIC : ZS_PERSPECTIVE;
     c->focal = (zs_uq32_32)p->width << 32;
     c->height = (zs_q48_16)(8192 * p->height / p->width) << 16;

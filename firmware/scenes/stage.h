@@ -35,6 +35,17 @@ struct zs_pose *stage_put(struct demo_frame *f, const struct zs_mesh *mesh,
 void stage_lens(struct demo_frame *f, zs_turn fov, uint16_t w, uint16_t h, int32_t z_near,
                 int32_t z_far);
 
+/* Set the camera's pose: at the origin, along -z. The other fields stay. */
+static inline void stage_unturned(struct zs_camera *camera)
+{
+    struct zs_pose none;
+    zs_pose_identity(&none);
+    for (int i = 0; i < 9; i++)
+        camera->rot[i] = none.rot[i];
+    for (int i = 0; i < 3; i++)
+        camera->pos[i] = 0;
+}
+
 /* A program that shows scenes from other sides defines STAGE_ORBIT and this function: where a piece's camera has been
  * placed, before all that depends on it, it is turned about a point so many units in front of it; 0: on the spot. */
 #ifdef STAGE_ORBIT

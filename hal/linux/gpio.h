@@ -7,6 +7,7 @@
 #define LINUX_GPIO_H
 
 #include <stdint.h>
+#include <stdio.h>
 
 #define GPIO_TEXT 64 /* bytes of a name, its NUL included; the kernel's have 32 */
 
@@ -17,6 +18,12 @@ struct gpio_info {
     char consumer[GPIO_TEXT]; /* who holds it; "" where nobody said */
     int used;                 /* flag: somebody does */
 };
+
+/* NULL becomes "". */
+static inline void gpio_copy(char to[GPIO_TEXT], const char *from)
+{
+    (void)snprintf(to, GPIO_TEXT, "%s", from ? from : "");
+}
 
 /* A chip, to look at. NULL with errno. */
 void *gpio_chip_open(const char *path);

@@ -4,14 +4,8 @@
  */
 #include <errno.h>
 #include <gpiod.h>
-#include <stdio.h>
 
 #include "gpio.h"
-
-static void copy(char to[GPIO_TEXT], const char *from)
-{
-    (void)snprintf(to, GPIO_TEXT, "%s", from ? from : "");
-}
 
 void *gpio_chip_open(const char *path)
 {
@@ -25,7 +19,7 @@ void gpio_chip_close(void *chip)
 
 int gpio_chip_look(void *chip, char label[GPIO_TEXT], uint32_t *n_lines)
 {
-    copy(label, gpiod_chip_label(chip));
+    gpio_copy(label, gpiod_chip_label(chip));
     *n_lines = gpiod_chip_num_lines(chip);
     return 0;
 }
@@ -35,8 +29,8 @@ int gpio_line_look(void *chip, uint32_t offset, struct gpio_info *info)
     struct gpiod_line *line = gpiod_chip_get_line(chip, offset);
     if (!line)
         return -1;
-    copy(info->name, gpiod_line_name(line));
-    copy(info->consumer, gpiod_line_consumer(line));
+    gpio_copy(info->name, gpiod_line_name(line));
+    gpio_copy(info->consumer, gpiod_line_consumer(line));
     info->used = gpiod_line_is_used(line);
     return 0;
 }

@@ -4,14 +4,8 @@
  */
 #include <errno.h>
 #include <gpiod.h>
-#include <stdio.h>
 
 #include "gpio.h"
-
-static void copy(char to[GPIO_TEXT], const char *from)
-{
-    (void)snprintf(to, GPIO_TEXT, "%s", from ? from : "");
-}
 
 void *gpio_chip_open(const char *path)
 {
@@ -28,7 +22,7 @@ int gpio_chip_look(void *chip, char label[GPIO_TEXT], uint32_t *n_lines)
     struct gpiod_chip_info *info = gpiod_chip_get_info(chip);
     if (!info)
         return -1;
-    copy(label, gpiod_chip_info_get_label(info));
+    gpio_copy(label, gpiod_chip_info_get_label(info));
     *n_lines = (uint32_t)gpiod_chip_info_get_num_lines(info);
     gpiod_chip_info_free(info);
     return 0;
@@ -39,8 +33,8 @@ int gpio_line_look(void *chip, uint32_t offset, struct gpio_info *info)
     struct gpiod_line_info *line = gpiod_chip_get_line_info(chip, offset);
     if (!line)
         return -1;
-    copy(info->name, gpiod_line_info_get_name(line));
-    copy(info->consumer, gpiod_line_info_get_consumer(line));
+    gpio_copy(info->name, gpiod_line_info_get_name(line));
+    gpio_copy(info->consumer, gpiod_line_info_get_consumer(line));
     info->used = gpiod_line_info_is_used(line);
     gpiod_line_info_free(line);
     return 0;

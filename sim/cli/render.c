@@ -518,12 +518,10 @@ int sim_render_all(struct sim_rendered *out, struct sim_kept_scene *kept, const 
     if (status == SIM_OK) {
         if (o->panel.name != NULL && o->show == SIM_SHOW_FRAME)
             picture_of(&job->shown, job);
-        *out = (struct sim_rendered){ .view = job->view,
-                                      .config = job->config,
-                                      .frame = job->frame,
-                                      .shown = job->shown,
-                                      .parts = job->scene->n_parts,
-                                      .verts = job->scene->n_verts };
+        *out = (struct sim_rendered){
+            .view = job->view, .config = job->config, .frame = job->frame, .shown = job->shown,
+            .parts = job->scene->n_parts, .verts = job->scene->n_verts
+        };
         memcpy(out->lost, job->scene->lost, sizeof out->lost);
         memset(&job->frame, 0, sizeof job->frame); /* the caller's */
         memset(&job->shown, 0, sizeof job->shown);

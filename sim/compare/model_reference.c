@@ -61,11 +61,10 @@ static struct ref_texture *textures_of(const struct sim_model *model)
     struct ref_texture *all = sim_alloc(model->n_textures, sizeof *all);
     for (uint32_t i = 0; i < model->n_textures; i++) {
         const struct sim_texture *t = &model->texture[i];
-        all[i] = (struct ref_texture){ .width = (int)t->image.width,
-                                       .height = (int)t->image.height,
-                                       .rgb = t->image.rgb[0],
-                                       .clamp_u = (t->clamp & ZS_CLAMP_U) != 0,
-                                       .clamp_v = (t->clamp & ZS_CLAMP_V) != 0 };
+        all[i] = (struct ref_texture){
+            .width = (int)t->image.width, .height = (int)t->image.height, .rgb = t->image.rgb[0],
+            .clamp_u = (t->clamp & ZS_CLAMP_U) != 0, .clamp_v = (t->clamp & ZS_CLAMP_V) != 0
+        };
     }
     return all;
 }

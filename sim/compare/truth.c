@@ -18,24 +18,18 @@ int sim_truth_draw(struct sim_truth *t, const struct zs_scene *scene, const stru
     sim_truth_camera(&t->camera, camera);
     sim_truth_light(&t->light, &scene->light, camera);
     t->depth = (struct ref_depth){ sim_truth_mapping(config->depth, camera), config->depth_bits };
-    t->image = (struct ref_image){ .rgb565 = sim_alloc(n, sizeof(uint16_t)),
-                                   .key = sim_alloc(n, sizeof(uint16_t)),
-                                   .id = sim_alloc(n, sizeof(uint32_t)),
-                                   .z = sim_alloc(n, sizeof(double)),
-                                   .exact_key = sim_alloc(n, sizeof(double)),
-                                   .rgb = sim_alloc(3 * n, sizeof(double)),
-                                   .u = sim_alloc(n, sizeof(double)),
-                                   .v = sim_alloc(n, sizeof(double)),
-                                   .texel = sim_alloc(n, sizeof(uint32_t)),
-                                   .texture = sim_alloc(n, sizeof(void *)) };
-    const struct sim_judge judge = { .tri = t->tri,
-                                     .camera = &t->camera,
-                                     .light = &t->light,
-                                     .depth = &t->depth,
-                                     .width = config->width,
-                                     .height = config->height,
-                                     .sub_pixel = 1.0 / (1 << config->subpixel_bits),
-                                     .unit = sim_judge_unit(t->tri, t->n_tris, &t->camera) };
+    t->image = (struct ref_image){
+        .rgb565 = sim_alloc(n, sizeof(uint16_t)), .key = sim_alloc(n, sizeof(uint16_t)),
+        .id = sim_alloc(n, sizeof(uint32_t)), .z = sim_alloc(n, sizeof(double)),
+        .exact_key = sim_alloc(n, sizeof(double)), .rgb = sim_alloc(3 * n, sizeof(double)),
+        .u = sim_alloc(n, sizeof(double)), .v = sim_alloc(n, sizeof(double)), .texel = sim_alloc(n, sizeof(uint32_t)),
+        .texture = sim_alloc(n, sizeof(void *))
+    };
+    const struct sim_judge judge = {
+        .tri = t->tri, .camera = &t->camera, .light = &t->light, .depth = &t->depth, .width = config->width,
+        .height = config->height, .sub_pixel = 1.0 / (1 << config->subpixel_bits),
+        .unit = sim_judge_unit(t->tri, t->n_tris, &t->camera)
+    };
     t->judge = judge;
     return ref_render(t->tri, t->n_tris, &t->camera, &t->light, &t->depth, scene->background, config->width,
                       config->height, &t->image, NULL, NULL);

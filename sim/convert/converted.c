@@ -51,14 +51,11 @@ int sim_convert_load(struct sim_model *model, struct sim_convert_options *o)
 {
     const int asked = is_textured(o) || o->texture != NULL,
               free_choice = o->look == SIM_LOOK_DEFAULT;
-    const struct sim_want want = { .normals = 1,
-                                   .textures = asked || (free_choice && !o->has_color),
-                                   .picture = o->texture,
-                                   .lenient = free_choice,
-                                   .wrap = (enum sim_wrap)o->wrap,
-                                   .color = o->has_color ? &o->color : NULL,
-                                   .limits = o->limits,
-                                   .simplify = o->simplify };
+    const struct sim_want want = {
+        .normals = 1, .textures = asked || (free_choice && !o->has_color), .picture = o->texture,
+        .lenient = free_choice, .wrap = (enum sim_wrap)o->wrap, .color = o->has_color ? &o->color : NULL,
+        .limits = o->limits, .simplify = o->simplify
+    };
     memset(model, 0, sizeof *model);
     if (o->texture != NULL && !free_choice && !is_textured(o))
         return sim_refuse(o->input, 0, "--texture needs --shade textured, textured-flat or unlit");

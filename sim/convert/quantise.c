@@ -504,18 +504,13 @@ static void fill_sphere(const struct build *b, struct sim_part *part)
 
 struct zs_mesh sim_part_mesh(const struct sim_part *part, uint32_t n_verts, uint32_t n_tris)
 {
-    return (struct zs_mesh){ .pos = (const int16_t(*)[3])part->pos,
-                             .pos_lo = (const uint8_t(*)[3])part->pos_lo,
-                             .tri = (const uint16_t(*)[3])part->tri,
-                             .normal = (const zs_q1_15(*)[3])part->normal,
-                             .face_normal = (const zs_q1_15(*)[3])part->face_normal,
-                             .vertex_rgb = part->vertex_rgb,
-                             .face_rgb = part->face_rgb,
-                             .face_raw = part->face_raw,
-                             .uv = (const int16_t(*)[2])part->uv,
-                             .cluster = part->cluster,
-                             .n_verts = n_verts,
-                             .n_tris = n_tris };
+    return (struct zs_mesh){
+        .pos = (const int16_t(*)[3])part->pos, .pos_lo = (const uint8_t(*)[3])part->pos_lo,
+        .tri = (const uint16_t(*)[3])part->tri, .normal = (const zs_q1_15(*)[3])part->normal,
+        .face_normal = (const zs_q1_15(*)[3])part->face_normal, .vertex_rgb = part->vertex_rgb,
+        .face_rgb = part->face_rgb, .face_raw = part->face_raw, .uv = (const int16_t(*)[2])part->uv,
+        .cluster = part->cluster, .n_verts = n_verts, .n_tris = n_tris
+    };
 }
 
 static void finish_part(struct build *b)

@@ -136,12 +136,10 @@ static void take_materials(struct sim_scene *s, struct sim_converted *made)
                                                .texture = paint->texture != SIM_NO_TEXTURE
                                                               ? &s->texture[paint->texture]
                                                               : NULL };
-        s->lit[i] = (struct zs_lit_material){ .material = s->material[i],
-                                              .lighting = &s->lighting,
-                                              .shine = paint->power > 0 ? &s->shine[i] : NULL,
-                                              .specular = paint->specular,
-                                              .emission = paint->emission,
-                                              .flags = paint->two_sided ? ZS_LIT_TWO_SIDED : 0 };
+        s->lit[i] = (struct zs_lit_material){
+            .material = s->material[i], .lighting = &s->lighting, .shine = paint->power > 0 ? &s->shine[i] : NULL,
+            .specular = paint->specular, .emission = paint->emission, .flags = paint->two_sided ? ZS_LIT_TWO_SIDED : 0
+        };
         if (paint->power > 0)
             (void)zs_shine_set(&s->shine[i], paint->power);
         s->blend[i] = (struct zs_blend){ .material = s->material[i], .alpha = paint->alpha };

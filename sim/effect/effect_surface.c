@@ -241,11 +241,10 @@ static int make_environment(struct sim_effect_scene *out, uint32_t n, const stru
             return status;
     }
     sim_texture_make(&texture, &image, o->effects.environment, NULL);
-    s->environment = (struct zs_texture){ .format = &zs_texel_565,
-                                          .texel = sim_texture_565(&texture),
-                                          .log2_w = sim_texture_log2(texture.image.width),
-                                          .log2_h = sim_texture_log2(texture.image.height),
-                                          .clamp = ZS_CLAMP_U | ZS_CLAMP_V };
+    s->environment = (struct zs_texture){
+        .format = &zs_texel_565, .texel = sim_texture_565(&texture), .log2_w = sim_texture_log2(texture.image.width),
+        .log2_h = sim_texture_log2(texture.image.height), .clamp = ZS_CLAMP_U | ZS_CLAMP_V
+    };
     sim_texture_free(&texture);
     struct zs_material *m = plain_materials(out, n);
     s->mesh = sim_alloc((size_t)n + 1, sizeof *s->mesh);

@@ -62,15 +62,13 @@ void sim_floor_lay(struct sim_floor *f, const struct sim_model *model, const str
         f->instance.pose.pos[k] = (int32_t)lrint((f->point[k] - scene->origin[k]) / scene->unit);
     }
     build(f);
-    f->mesh = (struct zs_mesh){ .pos = (const int16_t(*)[3])f->pos,
-                                .tri = (const uint16_t(*)[3])f->tri,
-                                .normal = (const zs_q1_15(*)[3])f->normal,
-                                .face_normal = (const zs_q1_15(*)[3])f->face_normal,
-                                .face_rgb = f->face_rgb,
-                                .n_verts = sizeof f->pos / sizeof f->pos[0],
-                                .n_tris = sizeof f->tri / sizeof f->tri[0],
-                                .radius = 22628,
-                                .scale = (zs_uq16_16)lrint(f->half / scene->unit / STEPS * 65536.0) };
+    f->mesh = (struct zs_mesh){
+        .pos = (const int16_t(*)[3])f->pos, .tri = (const uint16_t(*)[3])f->tri,
+        .normal = (const zs_q1_15(*)[3])f->normal, .face_normal = (const zs_q1_15(*)[3])f->face_normal,
+        .face_rgb = f->face_rgb, .n_verts = sizeof f->pos / sizeof f->pos[0],
+        .n_tris = sizeof f->tri / sizeof f->tri[0], .radius = 22628,
+        .scale = (zs_uq16_16)lrint(f->half / scene->unit / STEPS * 65536.0)
+    };
     f->material = (struct zs_material){ .shader = &zs_shade_flat };
     f->instance.mesh = &f->mesh;
     f->instance.material = &f->material;

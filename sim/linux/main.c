@@ -225,17 +225,11 @@ static int set_up_renderer(void)
 {
     const long height = options.size[1];
     const uint32_t rows = (uint32_t)(options.strip < height ? options.strip : height);
-    const struct zs_config config = { .width = (uint16_t)options.size[0],
-                                      .height = (uint16_t)height,
-                                      .strip_h = (uint16_t)rows,
-                                      .max_tris = ZS_POOL_MAX,
-                                      .max_verts = ZS_POOL_MAX,
-                                      .varyings = source.attrs,
-                                      .buffers = 2,
-                                      .subpixel_bits = (uint8_t)options.subpixel,
-                                      .depth_bits = 16,
-                                      .depth = source.depth,
-                                      .fast = source.fast };
+    const struct zs_config config = {
+        .width = (uint16_t)options.size[0], .height = (uint16_t)height, .strip_h = (uint16_t)rows,
+        .max_tris = ZS_POOL_MAX, .max_verts = ZS_POOL_MAX, .varyings = source.attrs, .buffers = 2,
+        .subpixel_bits = (uint8_t)options.subpixel, .depth_bits = 16, .depth = source.depth, .fast = source.fast
+    };
     const uint32_t bytes = zs_arena_bytes(&config);
     arena = sim_alloc(bytes, 1);
     int err = zs_init(&renderer, &config, arena, bytes);

@@ -315,11 +315,18 @@ static size_t block(FILE *f, const struct study_table *t, enum part part, int m,
     return n;
 }
 
-static void line_style(FILE *f)
+/* Open a plot of 860 x height px, with the mappings' lines; `set` are gnuplot's settings. Return NULL after a
+ * sentence. */
+static FILE *plot_open(struct study_page *page, const char *name, int height, const char *set)
 {
+    FILE *f = study_plot_open(page, name, 860, height);
+    if (!f)
+        return NULL;
     for (int m = 0; m < STUDY_MAPPINGS; m++)
         (void)fprintf(f, "set linetype %d lc rgb '%s' lw %s pt %d ps %s\n", m + 1, study_mapping[m].color,
                       m == 5 ? "1.2 dt 2" : "1.8", m == 5 ? 6 : 7, m == 5 ? "0.9" : "0.5");
+    (void)fputs(set, f);
+    return f;
 }
 
 /* Formulas of all mappings as lines over z from n to f, percent of the distance. */
@@ -335,13 +342,12 @@ static void formula(FILE *f, int m, int bits, double near_z, double far_z, const
 
 static int plot_separation(struct study_page *page, const struct study_table *t)
 {
-    FILE *f = study_plot_open(page, "separation", 860, 480);
+    FILE *f = plot_open(page, "separation", 480,
+                        "set logscale xy\nset xlabel 'distance / near'\n"
+                        "set ylabel 'least separation, % of the distance'\n"
+                        "set yrange [0.001:10]\nset xrange [1:1000]\n");
     if (!f)
         return SIM_REFUSED;
-    line_style(f);
-    (void)fputs("set logscale xy\nset xlabel 'distance / near'\nset ylabel 'least separation, % of the distance'\n"
-                "set yrange [0.001:10]\nset xrange [1:1000]\n",
-                f);
     for (int m = 0; m < STUDY_MAPPINGS; m++) {
         (void)block(f, t, SEPARATION, m, 16, 1000, 0);
         formula(f, m, 16, 1, 1000, "formula");
@@ -392,13 +398,11 @@ static void table_worst(struct study_page *page, const struct study_table *t)
 
 static int plot_bits(struct study_page *page, const struct study_table *t)
 {
-    FILE *f = study_plot_open(page, "fight", 860, 420);
+    FILE *f = plot_open(page, "fight", 420,
+                        "set xlabel 'bits of a key'\nset ylabel '% of the floor that shows the wrong one'\n"
+                        "set yrange [0:*]\nset xrange [7.8:16.2]\n");
     if (!f)
         return SIM_REFUSED;
-    line_style(f);
-    (void)fputs("set xlabel 'bits of a key'\nset ylabel '% of the floor that shows the wrong one'\nset yrange [0:*]\n"
-                "set xrange [7.8:16.2]\n",
-                f);
     for (int m = 0; m < STUDY_MAPPINGS; m++)
         (void)block(f, t, FIGHT, m, 0, FAR, 2);
     (void)fputs("plot ", f);
@@ -411,11 +415,10 @@ static int plot_bits(struct study_page *page, const struct study_table *t)
 
 static int plot_curve(struct study_page *page, const struct study_table *t)
 {
-    FILE *f = study_plot_open(page, "curve", 860, 440);
+    FILE *f = plot_open(page, "curve", 440,
+                        "set xlabel 'distance'\nset ylabel 'key / 65,535'\nset yrange [0:1]\nset xrange [0.1:1]\n");
     if (!f)
         return SIM_REFUSED;
-    line_style(f);
-    (void)fputs("set xlabel 'distance'\nset ylabel 'key / 65,535'\nset yrange [0:1]\nset xrange [0.1:1]\n", f);
     for (int m = 0; m < STUDY_MAPPINGS; m++) {
         (void)block(f, t, CURVE, m, 16, 1, 3);
         (void)fprintf(f, "$key_%d << EOD\n", m);

@@ -92,11 +92,10 @@ static void stage_begin(struct stage *s)
     memset(s, 0, sizeof *s);
     for (size_t k = 0; k < TRIS; k++)
         s->raw[k] = (uint16_t)(0x2104u + k * 2654435761u % 0xc000u);
-    s->mesh = (struct zs_mesh){ .pos = (const int16_t(*)[3])s->pos,
-                                .tri = (const uint16_t(*)[3])s->tri,
-                                .face_raw = s->raw,
-                                .scale = ZS_Q16_ONE,
-                                .radius = RADIUS + 2 };
+    s->mesh = (struct zs_mesh){
+        .pos = (const int16_t(*)[3])s->pos, .tri = (const uint16_t(*)[3])s->tri, .face_raw = s->raw,
+        .scale = ZS_Q16_ONE, .radius = RADIUS + 2
+    };
     s->material = (struct zs_material){ .shader = &zs_shade_raw };
     s->instance = (struct zs_instance){ .mesh = &s->mesh, .material = &s->material };
     zs_pose_identity(&s->instance.pose);

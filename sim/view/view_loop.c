@@ -121,13 +121,10 @@ static void paint(struct view *v)
     uint32_t *to = view_window_pixels(v->window, &w, &h, &pitch);
     if (to == NULL)
         return;
-    const struct view_desk desk = { .shot = &v->shot,
-                                    .wish = &v->wish,
-                                    .figures = &v->figures,
-                                    .said = v->broken[0] != '\0' ? v->broken : v->said,
-                                    .refused = v->broken[0] != '\0' || v->refused,
-                                    .line = v->line,
-                                    .keys = v->keys };
+    const struct view_desk desk = {
+        .shot = &v->shot, .wish = &v->wish, .figures = &v->figures, .said = v->broken[0] != '\0' ? v->broken : v->said,
+        .refused = v->broken[0] != '\0' || v->refused, .line = v->line, .keys = v->keys
+    };
     view_desk_draw(&desk, &v->canvas, to, w, h, pitch);
     view_window_show(v->window);
     v->repaint = 0;

@@ -7,6 +7,8 @@
 
 #include <stddef.h>
 
+#include "bus_checks.h"
+
 #define TICKS_A_US 50u
 
 static _Alignas(4) uint8_t bytes[512];
@@ -18,23 +20,6 @@ static void interrupts(int on)
         __asm__ volatile("cpsie i" ::: "memory");
     else
         __asm__ volatile("cpsid i" ::: "memory");
-}
-
-static void verdict(const char *name, int good)
-{
-    hal_write(good ? "ok " : "FAILED ");
-    hal_write(name);
-    hal_write("\n");
-}
-
-static void refusals(struct hal_bus *bus)
-{
-    int good = bus->data(bus, NULL, 4) == HAL_ERR_ARG && bus->data(bus, bytes, 0) == HAL_ERR_ARG;
-    good &= bus->command(bus, 0xe3, NULL, 1) == HAL_ERR_ARG && bus->wait(bus) == HAL_ERR_NONE;
-    good &= bus->data(bus, bytes, 512) == HAL_ERR_NONE && bus->data(bus, bytes, 2) == HAL_ERR_STATE;
-    good &= bus->command(bus, 0xe3, NULL, 0) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE;
-    good &= bus->wait(bus) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE;
-    verdict("lm3s6965_bus_refuses", good);
 }
 
 static void done(void *ctx)
@@ -104,7 +89,7 @@ int main(void)
     bus->delay(bus, 10);
     const int good = hal_init() == HAL_ERR_NONE && hal_init() == HAL_ERR_NONE && hal_bus() == bus;
     verdict("lm3s6965_begins_with_hal_init", early && good);
-    refusals(bus);
+    verdict("lm3s6965_bus_refuses", bus_refuses(bus, bytes));
     hooks(bus);
     timeout(bus);
     clock(bus);

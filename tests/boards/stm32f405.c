@@ -10,6 +10,8 @@
 
 #include "cortexm.h"
 
+#include "bus_checks.h"
+
 #define REG(address) (*(volatile uint32_t *)(address))
 #define LISR REG(DMA2 + 0x00u)
 #define LIFCR REG(DMA2 + 0x08u)
@@ -36,13 +38,6 @@ static uint8_t bytes[LONG];
 static enum { WORKS, BREAKS, HANGS } stream;
 static volatile uint32_t done_calls, done_in, idle_calls; /* done_in: number of the exception */
 static uint32_t starts, moved, wrong;
-
-static void verdict(const char *name, int good)
-{
-    hal_write(good ? "ok " : "FAILED ");
-    hal_write(name);
-    hal_write("\n");
-}
 
 /* What stream 3 does when it is on and SPI1 asks. */
 static void stream_runs(void)

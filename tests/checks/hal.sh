@@ -28,7 +28,7 @@ $("${2%gcc}nm" "$B/hal/$1.o" | awk '$2 ~ /[TDBRC]/ { print $3 }')"
 peer null gcc '' "$(echo hal/null/*.c)"
 for mk in firmware/boards/*/board.mk; do
     board=$(basename "$(dirname "$mk")")
-    make -s -f firmware/boards/firmware.mk BOARD="$board" B="${B%/checks}" hal >"$B/hal/$board.txt"
+    make -s -f firmware/boards/firmware.mk BOARD="$board" B="$top" hal >"$B/hal/$board.txt"
     peer "$board" "$(sed -n 1p "$B/hal/$board.txt")" "$(sed -n 2p "$B/hal/$board.txt")" \
         "$(sed -n 3p "$B/hal/$board.txt")"
 done

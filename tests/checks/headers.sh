@@ -200,7 +200,7 @@ done
 ends() {
     name=$1 want=$2
     shift 2
-    if "$@" -Ifirmware/zstrip "${B%/checks}/libcore.a" -o "$dir/main" 2>"$B/headers.txt"; then
+    if "$@" -Ifirmware/zstrip "$top/libcore.a" -o "$dir/main" 2>"$B/headers.txt"; then
         "$dir/main"
         status=$?
         if [ $status = "$want" ]; then ok "$name"; else bad "$name" "exit $status, not $want"; fi

@@ -94,7 +94,7 @@ only "scenes see zstrip.h, zs_fast.h and their own" "\"(zstrip|zs_fast|meshes)\\
 only "mesh generators see their own" \
     "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" \
     firmware/scenes/gen/*.[ch]
-only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
+only "boards see nothing of ours but startup.h" "\"\\.\\./startup\\.h\"|$STD" firmware/boards/*/*.c
 # A judge in sim: includes its own and standard headers, reaches nothing of what it judges, has header names of its
 # own (or an include could mean the other one), and uses no name that begins with a prefix of theirs.
 judge() { # FOLDER PREFIXES

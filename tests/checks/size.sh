@@ -187,7 +187,7 @@ int main(int argc, char **argv)
 }
 END
 renderer=$(renderer_bytes)
-if gcc -std=c11 -Ifirmware/zstrip "$B/ram.c" "${B%/checks}/libcore.a" -o "$B/ram" && "$B/ram" "$renderer"; then
+if gcc -std=c11 -Ifirmware/zstrip "$B/ram.c" "$top/libcore.a" -o "$B/ram" && "$B/ram" "$renderer"; then
     ok "ZS_ARENA_BYTES equals zs_arena_bytes"
 else
     bad "ZS_ARENA_BYTES equals zs_arena_bytes" "see above"

@@ -92,7 +92,7 @@ done
 # What the boards' tests have found painted over is no more than that: drawing, and sending from it. Interrupts and the
 # program's own frames are in what was painted, too.
 painted() { # BOARD CPU
-    [ -s "${B%/checks}/$1/table.txt" ] || { echo "note $1: its test has not run, no painted stack"; return; }
+    [ -s "$top/$1/table.txt" ] || { echo "note $1: its test has not run, no painted stack"; return; }
     render=$(sed -n 's/^ok .* zs_render //p' "$B/stack-$2/bound.txt")
     send=$(sed -n 's/^ok .* panel_send //p' "$B/stack-panels-$2/bound.txt")
     awk -v board="$1" -v bound=$((${render:-0} + ${send:-0})) '$5 > most { most = $5; scene = $2 }
@@ -101,7 +101,7 @@ painted() { # BOARD CPU
                 print "ok " board " painted stack " most " (" scene ") within the bound, " bound
                 exit
             }
-            print "FAILED " board " painted stack: " most + 0 ", bound " bound; exit 1 }' "${B%/checks}/$1/table.txt" ||
+            print "FAILED " board " painted stack: " most + 0 ", bound " bound; exit 1 }' "$top/$1/table.txt" ||
                 failed=1
 }
 painted pico cortex-m0plus

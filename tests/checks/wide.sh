@@ -6,7 +6,6 @@
 . "$(dirname "$0")/../lib/cortexm.sh"
 
 dir=$B/wide
-top=${B%/checks}
 mkdir -p "$dir"
 wide() { # BOARD TARGETS
     board=$1

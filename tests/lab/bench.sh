@@ -16,7 +16,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 what=${2:-}
 out=$top/bench
 record=tests/records/bench.txt

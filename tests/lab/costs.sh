@@ -14,7 +14,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 what=${2:-}
 out=$top/costs
 record=tests/records/bench.txt

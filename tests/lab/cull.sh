@@ -5,7 +5,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 out=$top/cull
 mkdir -p "$out"
 # A torus of 9,600 triangles

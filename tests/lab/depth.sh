@@ -5,7 +5,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 out=$top/depth
 mkdir -p "$out"
 "$top/zsim" study depth --out "$top/study" || bad "zsim study depth" "see above"

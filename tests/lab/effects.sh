@@ -11,7 +11,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 out=$top/effects
 record=tests/records/effects.txt
 mkdir -p "$out"

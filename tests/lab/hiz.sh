@@ -5,7 +5,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 out=$top/hiz
 "$out/study" || failed=1
 firmware="make -s -f firmware/boards/firmware.mk BOARD=mps2 APP=hiz B=$top"

@@ -10,7 +10,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 out=$top/methods
 record=tests/records/methods.txt
 mkdir -p "$out"

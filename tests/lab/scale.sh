@@ -22,7 +22,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 out=$top/scale
 mkdir -p "$out"
 for board in host mps2; do

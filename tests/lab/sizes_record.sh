@@ -9,7 +9,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 work=$top/costs
 mkdir -p "$work"
 SHADES="raw flat smooth texture texture_flat texture_smooth" # bits of MASK, from 1

@@ -4,9 +4,9 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-out=${B%/checks}/still
+out=$top/still
 mkdir -p "$out"
-firmware="make -s -f firmware/boards/firmware.mk BOARD=mps2 APP=still B=${B%/checks}"
+firmware="make -s -f firmware/boards/firmware.mk BOARD=mps2 APP=still B=$top"
 if $firmware >"$out/log" 2>&1 && timeout 120 $firmware run >"$out/csv" 2>"$out/err"; then
     cat "$out/err" >>"$out/csv" # semihosting may write to either
     n=$(grep -c '^[a-z_-]*,[0-9]' "$out/csv")

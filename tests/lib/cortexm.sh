@@ -4,7 +4,8 @@
 # SPDX-License-Identifier: MIT
 set -u
 cd "$(dirname "$0")/../.." || exit 2
-B=${1:-build}/checks
+top=${1:-build}
+B=$top/checks
 ARM=${ARM:-arm-none-eabi-}
 CPUS="cortex-m0plus cortex-m3"
 OPT="-O2 -ffunction-sections -fdata-sections"

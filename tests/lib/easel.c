@@ -14,14 +14,10 @@
 
 struct easel easel_default(int32_t width, int32_t height)
 {
-    const struct easel s = { .width = width,
-                             .height = height,
-                             .strip_h = height,
-                             .depth = &zs_depth_recip,
-                             .depth_bits = 16,
-                             .z_near = 256,
-                             .z_far = 1 << 20,
-                             .fast = fast_all };
+    const struct easel s = {
+        .width = width, .height = height, .strip_h = height, .depth = &zs_depth_recip, .depth_bits = 16, .z_near = 256,
+        .z_far = 1 << 20, .fast = fast_all
+    };
     return s;
 }
 
@@ -112,11 +108,13 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
                 struct easel_frame *out)
 {
     struct zs_renderer r;
-    const struct zs_config config = { .width = (uint16_t)s->width, .height = (uint16_t)s->height,
-                                      .strip_h = (uint16_t)s->strip_h, .max_tris = (uint16_t)(n ? n : 1),
-                                      .max_verts = (uint16_t)(n ? 3 * n : 3), .varyings = (uint8_t)attrs_of(s),
-                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = (uint8_t)s->depth_bits,
-                                      .depth = s->depth, .fast = fast_counting(s->fast) };
+    const struct zs_config config = {
+        .width = (uint16_t)s->width, .height = (uint16_t)s->height,
+        .strip_h = (uint16_t)s->strip_h, .max_tris = (uint16_t)(n ? n : 1),
+        .max_verts = (uint16_t)(n ? 3 * n : 3), .varyings = (uint8_t)attrs_of(s),
+        .buffers = 1, .subpixel_bits = 8, .depth_bits = (uint8_t)s->depth_bits,
+        .depth = s->depth, .fast = fast_counting(s->fast)
+    };
     const uint32_t bytes = zs_arena_bytes(&config);
     void *arena = malloc(bytes);
     must(arena && zs_init(&r, &config, arena, bytes) == ZS_OK, "zs_init");

@@ -80,17 +80,10 @@ static void begin(struct page *p, const char *name, const struct zs_depth *depth
 {
     const struct page none = { 0 };
     static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
-    const struct zs_config config = { .width = W,
-                                      .height = H,
-                                      .strip_h = STRIP,
-                                      .max_tris = TRIS,
-                                      .max_verts = VERTS,
-                                      .varyings = VARYINGS,
-                                      .buffers = 1,
-                                      .subpixel_bits = 8,
-                                      .depth_bits = 16,
-                                      .depth = depth,
-                                      .fast = fast };
+    const struct zs_config config = {
+        .width = W, .height = H, .strip_h = STRIP, .max_tris = TRIS, .max_verts = VERTS, .varyings = VARYINGS,
+        .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = depth, .fast = fast
+    };
     const int32_t light[3] = { 3, 5, 4 };
     *p = none;
     p->name = name;

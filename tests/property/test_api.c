@@ -280,16 +280,10 @@ ZS_ARENA(static_arena, ZS_ARENA_BYTES(64, 48, 16, 100, 80, 3, 2));
 static void arena_macro_function_and_layout_agree(void **state)
 {
     CASES(arena_case, 3000);
-    const struct zs_config c = { .width = 64,
-                                 .height = 48,
-                                 .strip_h = 16,
-                                 .max_tris = 100,
-                                 .max_verts = 80,
-                                 .varyings = 3,
-                                 .buffers = 2,
-                                 .subpixel_bits = 8,
-                                 .depth_bits = 16,
-                                 .depth = &zs_depth_recip };
+    const struct zs_config c = {
+        .width = 64, .height = 48, .strip_h = 16, .max_tris = 100, .max_verts = 80, .varyings = 3, .buffers = 2,
+        .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip
+    };
     struct zs_renderer r;
     assert_int_equal(sizeof static_arena, zs_arena_bytes(&c));
     assert_int_equal((uintptr_t)static_arena & 31u, 0);

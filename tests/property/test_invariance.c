@@ -14,6 +14,14 @@
 #include "picture.h"
 #include "shapes.h"
 
+/* ok, when both pictures are no longer needed. */
+static int freed(struct picture *a, struct picture *b, int ok)
+{
+    picture_free(a);
+    picture_free(b);
+    return ok;
+}
+
 /* ---- Scenes ---------------------------------------------------------------------------------- */
 
 #define INSTANCES 6
@@ -442,9 +450,7 @@ static int frustum_case(uint64_t seed)
     if (b.stats.instances_culled)
         ok = case_wrong("%u culled that nothing is known of", b.stats.instances_culled);
     instances_out += a.stats.instances_culled;
-    picture_free(&a);
-    picture_free(&b);
-    return ok;
+    return freed(&a, &b, ok);
 }
 
 /* ---- Memory ---------------------------------------------------------------------------------- */
@@ -636,9 +642,7 @@ static int turned_case(uint64_t seed)
     }
     struct picture b = loose_draw(&l, seed & 1);
     const int ok = picture_same(&a, &b, "vertices rotated in a triangle");
-    picture_free(&a);
-    picture_free(&b);
-    return ok;
+    return freed(&a, &b, ok);
 }
 
 static int mirrored_case(uint64_t seed)
@@ -670,9 +674,7 @@ static int mirrored_case(uint64_t seed)
                 ok = case_wrong("pixel (%d, %d) is %u, its mirror image %u", i, j, a.color[at],
                                 b.color[to]);
         }
-    picture_free(&a);
-    picture_free(&b);
-    return ok;
+    return freed(&a, &b, ok);
 }
 
 /* The picture moved by whole pixels, colours and keys. Triangles with width + height <= 256 px keep
@@ -704,9 +706,7 @@ static int moved_case(uint64_t seed)
                 ok = case_wrong("pixel (%d, %d) is %u %u, moved by (%d, %d) %u %u", i, j,
                                 a.color[at], a.key[at], dx, dy, b.color[to], b.key[to]);
         }
-    picture_free(&a);
-    picture_free(&b);
-    return ok;
+    return freed(&a, &b, ok);
 }
 
 static int order_case(uint64_t seed)
@@ -732,9 +732,7 @@ static int order_case(uint64_t seed)
     }
     struct picture b = loose_draw(&l, seed & 1);
     const int ok = picture_same(&a, &b, "another scene order");
-    picture_free(&a);
-    picture_free(&b);
-    return ok;
+    return freed(&a, &b, ok);
 }
 
 static const struct CMUnitTest tests[] = {

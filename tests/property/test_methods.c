@@ -73,14 +73,10 @@ static uint32_t world_set(struct prng *p)
     for (uint32_t k = 0; k < t; k++)
         color[k] = (uint16_t)(k + 1);
     cluster = (struct zs_cluster){ .n_tris = (uint16_t)t, .radius = 65535, .cutoff = 127 };
-    mesh = (struct zs_mesh){ .pos = (const int16_t(*)[3])pos,
-                             .tri = (const uint16_t(*)[3])corners,
-                             .face_raw = color,
-                             .n_verts = 3 * t,
-                             .n_tris = t,
-                             .radius = 65535,
-                             .cluster = &cluster,
-                             .n_clusters = 1 };
+    mesh = (struct zs_mesh){
+        .pos = (const int16_t(*)[3])pos, .tri = (const uint16_t(*)[3])corners, .face_raw = color, .n_verts = 3 * t,
+        .n_tris = t, .radius = 65535, .cluster = &cluster, .n_clusters = 1
+    };
     if (prng_pick(p, 2) && nodes_make(node, 2 * TRIS, &mesh, 1 + prng_pick(p, 4))) {
         mesh.bvh = node;
         by_nodes++;

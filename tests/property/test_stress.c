@@ -951,11 +951,10 @@ static int64_t inside_of(const struct zs_view *view, const struct zs_point *p, u
 static int seam_vertex_case(uint64_t seed)
 {
     struct prng p = { seed };
-    const struct zs_view view = { .z_near = 64,
-                                  .z_far = 300,
-                                  .perspective = (uint8_t)(seed % 2),
-                                  .scale_bits = seed % 2 ? 9 : 0,
-                                  .guard = 120 << (seed % 2 ? 0 : 1) };
+    const struct zs_view view = {
+        .z_near = 64, .z_far = 300, .perspective = (uint8_t)(seed % 2), .scale_bits = seed % 2 ? 9 : 0,
+        .guard = 120 << (seed % 2 ? 0 : 1)
+    };
     for (int n = 0; n < 100; n++) {
         struct zs_clip_vertex v[5]; /* corners a, b and one on either side */
         memset(v, 0, sizeof v);

@@ -7,7 +7,6 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-top=${B%/checks}
 out=$top/examples
 readme=firmware/examples/README.md
 mkdir -p "$out"

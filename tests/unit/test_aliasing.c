@@ -92,13 +92,10 @@ static const struct stage stages[] = {
 static struct picture draw(const struct stage *s, int frame, const struct zs_texture *t,
                            const struct zs_shader *shader, int more)
 {
-    const struct zs_mesh mesh = { .pos = s->floor ? floor_pos : card_pos,
-                                  .tri = tri,
-                                  .uv = s->floor ? floor_uv : card_uv,
-                                  .uv_bits = (uint8_t)(s->floor ? 7 : 8),
-                                  .n_verts = 4,
-                                  .n_tris = 2,
-                                  .radius = 65535 };
+    const struct zs_mesh mesh = {
+        .pos = s->floor ? floor_pos : card_pos, .tri = tri, .uv = s->floor ? floor_uv : card_uv,
+        .uv_bits = (uint8_t)(s->floor ? 7 : 8), .n_verts = 4, .n_tris = 2, .radius = 65535
+    };
     const struct zs_material material = { .shader = shader, .cull = ZS_CULL_NONE, .texture = t };
     struct zs_instance instance = { .mesh = &mesh, .material = &material };
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = ZS_RGB565(0x80a0c0) };

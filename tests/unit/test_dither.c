@@ -70,12 +70,10 @@ static void fill(uint16_t px[16][16], uint16_t color, const struct zs_dither *d,
 {
     uint16_t row[64];
     for (unsigned y = 0; y < 16; y++) {
-        const struct zs_target t = { .color = row,
-                                     .y0 = (uint16_t)(y0 + y),
-                                     .y1 = (uint16_t)(y0 + y + 1),
-                                     .x0 = (uint16_t)x0,
-                                     .x1 = (uint16_t)(x0 + 16),
-                                     .pitch = 64 };
+        const struct zs_target t = {
+            .color = row, .y0 = (uint16_t)(y0 + y), .y1 = (uint16_t)(y0 + y + 1), .x0 = (uint16_t)x0,
+            .x1 = (uint16_t)(x0 + 16), .pitch = 64
+        };
         for (unsigned x = 0; x < 64; x++)
             row[x] = wire(color);
         zs_dither_draw((void *)d, &t);
@@ -172,12 +170,10 @@ static void pixels_are_the_frames(void **state)
             zs_dither_draw((void *)&d, &all);
             for (uint16_t y = 0; y < 32; y += 5)
                 for (uint16_t x = 0; x < 40; x += 7) {
-                    const struct zs_target t = { .color = part[y],
-                                                 .y0 = y,
-                                                 .y1 = (uint16_t)(y + 5 < 32 ? y + 5 : 32),
-                                                 .x0 = x,
-                                                 .x1 = (uint16_t)(x + 7 < 40 ? x + 7 : 40),
-                                                 .pitch = 40 };
+                    const struct zs_target t = {
+                        .color = part[y], .y0 = y, .y1 = (uint16_t)(y + 5 < 32 ? y + 5 : 32), .x0 = x,
+                        .x1 = (uint16_t)(x + 7 < 40 ? x + 7 : 40), .pitch = 40
+                    };
                     zs_dither_draw((void *)&d, &t);
                 }
             assert_memory_equal(whole, part, sizeof whole);

@@ -135,13 +135,10 @@ static void world_cube(struct world *w)
     fill_arrays();
     memset(w, 0, sizeof *w);
     static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
-    const struct zs_config config = { .width = W,
-                                      .height = H,
-                                      .strip_h = 8,
-                                      .max_tris = 64,
-                                      .max_verts = 64,
-                                      .varyings = ZS_VARYINGS_SMOOTH,
-                                      .depth = &zs_depth_float };
+    const struct zs_config config = {
+        .width = W, .height = H, .strip_h = 8, .max_tris = 64, .max_verts = 64, .varyings = ZS_VARYINGS_SMOOTH,
+        .depth = &zs_depth_float
+    };
     const struct zs_mesh cube = {
         .pos = corner, .tri = face, .n_verts = 8, .n_tris = 12, .scale = 1000 * ZS_Q16_ONE, .radius = 2
     };

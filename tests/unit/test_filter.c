@@ -249,15 +249,10 @@ static void card_set(struct card *c, const int32_t corner[3], const int32_t a[3]
         c->by[0][k] = ldexp(uv[1][k], -uv_bits);
         c->by[1][k] = ldexp(uv[2][k], -uv_bits);
     }
-    c->mesh = (struct zs_mesh){ .pos = c->pos,
-                                .tri = card_tri,
-                                .normal = c->normal,
-                                .face_normal = c->face_normal,
-                                .uv = c->uv,
-                                .uv_bits = uv_bits,
-                                .n_verts = 4,
-                                .n_tris = 2,
-                                .radius = 65535 };
+    c->mesh = (struct zs_mesh){
+        .pos = c->pos, .tri = card_tri, .normal = c->normal, .face_normal = c->face_normal, .uv = c->uv,
+        .uv_bits = uv_bits, .n_verts = 4, .n_tris = 2, .radius = 65535
+    };
     c->material = (struct zs_material){ .shader = shader, .cull = ZS_CULL_NONE, .texture = texture };
     c->instance = (struct zs_instance){ .mesh = &c->mesh, .material = &c->material };
 }
@@ -372,11 +367,10 @@ static struct zs_texture chain_texture(uint32_t log2_w, uint32_t log2_h)
     for (uint32_t k = 0; k < n; k++)
         for (uint32_t i = 0; i < 1u << (log2_w + log2_h - 2 * k); i++)
             *at++ = (uint16_t)(k + 1u);
-    return (struct zs_texture){ .format = &zs_texel_565,
-                                .texel = chain,
-                                .log2_w = (uint8_t)log2_w,
-                                .log2_h = (uint8_t)log2_h,
-                                .n_levels = (uint8_t)n };
+    return (struct zs_texture){
+        .format = &zs_texel_565, .texel = chain, .log2_w = (uint8_t)log2_w, .log2_h = (uint8_t)log2_h,
+        .n_levels = (uint8_t)n
+    };
 }
 
 /* The largest change of a coordinate to the next pixel, in texels: by differences of 1/64 px. */
@@ -791,13 +785,10 @@ static void refused(void **state)
         assert_int_equal(error_of(shaders[k], &t, &zs_depth_order, &zs_method_coverage), wall);
         assert_int_equal(error_of(shaders[k], &t, &zs_depth_order, &zs_method_depthsort), wall);
     }
-    struct zs_texture four = { .format = &zs_texel_pal4,
-                               .texel = two,
-                               .palette = palette,
-                               .n_colors = 16,
-                               .log2_w = 2,
-                               .log2_h = 2,
-                               .n_levels = 2 };
+    struct zs_texture four = {
+        .format = &zs_texel_pal4, .texel = two, .palette = palette, .n_colors = 16, .log2_w = 2, .log2_h = 2,
+        .n_levels = 2
+    };
     assert_int_equal(error_of(&zs_shade_mipmap, &four, &zs_depth_recip, NULL), ZS_OK);
     four.n_levels = 3; /* one texel is half a byte */
     assert_int_equal(error_of(&zs_shade_mipmap, &four, &zs_depth_recip, NULL), ZS_ERR_TEXTURE);
@@ -814,13 +805,10 @@ static void checked(void **state)
     uint32_t at;
     for (uint32_t f = 0; f < FORMATS; f++) {
         const int paletted = f % 3 != 0, four = f % 3 == 2;
-        struct zs_texture t = { .format = formats[f],
-                                .texel = two,
-                                .palette = paletted ? palette : NULL,
-                                .n_colors = (uint16_t)(paletted ? 15 : 0),
-                                .log2_w = 3,
-                                .log2_h = 2,
-                                .n_levels = 3 };
+        struct zs_texture t = {
+            .format = formats[f], .texel = two, .palette = paletted ? palette : NULL,
+            .n_colors = (uint16_t)(paletted ? 15 : 0), .log2_w = 3, .log2_h = 2, .n_levels = 3
+        };
         memset(two, 0, sizeof two);
         assert_int_equal(zs_alpha_texture_check(&t, NULL), ZS_FLAW_NONE);
         assert_int_equal(zs_texture_check(&t, NULL), f < 3 ? ZS_FLAW_NONE : ZS_FLAW_NULL);

@@ -177,11 +177,10 @@ static void a_floor_in_fog(void **state)
                 .color = ZS_RGB565(0x000000), .curve = (uint8_t)curve, .start = 300, .end = curve ? 2300 : 9000
             };
             const struct zs_resolve hook = { .draw = zs_fog_draw, .ctx = &fog };
-            const struct zs_scene scene = { .instance = &floor,
-                                            .n_instances = 1,
-                                            .background = ZS_RGB565(0x0000ff),
-                                            .resolve = &hook,
-                                            .n_resolves = 1 };
+            const struct zs_scene scene = {
+                .instance = &floor, .n_instances = 1, .background = ZS_RGB565(0x0000ff), .resolve = &hook,
+                .n_resolves = 1
+            };
             struct zs_config c = picture_config(40, 60, depths[which]);
             struct mapping m = { .kind = which < 2 ? (int)which : 2, .bits = 16, .top = 65535, .n = 100, .f = 30000 };
             m.e = which == 5 ? 4 : (int)which + 1;
@@ -224,14 +223,7 @@ static int way_case(uint64_t seed)
     };
     const struct zs_item items[] = {
         { .kind = &zs_item_text, .x = -3, .y = 5, .size = 2, .color = 0xffff, .clear = 90, .text = "Fog \xc3\xbc" },
-        { .kind = &zs_item_arc,
-          .x = 20,
-          .y = 20,
-          .w = 18,
-          .h = 4,
-          .from = 40000,
-          .sweep = 50000,
-          .value = 30000,
+        { .kind = &zs_item_arc, .x = 20, .y = 20, .w = 18, .h = 4, .from = 40000, .sweep = 50000, .value = 30000,
           .color = 0x1234 }
     };
     struct zs_overlay over = { .item = items, .n = 2 };

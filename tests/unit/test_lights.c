@@ -544,12 +544,10 @@ static int way_case(uint64_t seed)
         in[i].material = &l[i].material.material;
         used |= 1u << k;
     }
-    struct zs_config c = { .width = (uint16_t)prng_range(&p, 1, 90),
-                           .height = (uint16_t)prng_range(&p, 1, 70),
-                           .max_tris = 4000,
-                           .max_verts = 8000,
-                           .varyings = ZS_VARYINGS_MAX,
-                           .depth = &zs_depth_recip };
+    struct zs_config c = {
+        .width = (uint16_t)prng_range(&p, 1, 90), .height = (uint16_t)prng_range(&p, 1, 70), .max_tris = 4000,
+        .max_verts = 8000, .varyings = ZS_VARYINGS_MAX, .depth = &zs_depth_recip
+    };
     if (w.camera.projection == ZS_ORTHOGRAPHIC)
         c.depth = &zs_depth_linear;
     c.strip_h = c.height;
@@ -608,12 +606,10 @@ static int moved_case(uint64_t seed)
     mesh.radius = 65535;
     in.material = &material;
     in.mesh = &mesh;
-    struct zs_config c = { .width = 60,
-                           .height = 50,
-                           .max_tris = 4000,
-                           .max_verts = 8000,
-                           .varyings = ZS_VARYINGS_MAX,
-                           .depth = &zs_depth_recip };
+    struct zs_config c = {
+        .width = 60, .height = 50, .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
+        .depth = &zs_depth_recip
+    };
     if (w.camera.projection == ZS_ORTHOGRAPHIC)
         c.depth = &zs_depth_linear;
     picture_any_way(&p, &c, 1, 3);

@@ -56,13 +56,10 @@ static int room_make(struct room *m, struct prng *p, int32_t scale_bits)
         raw[t] = (uint16_t)(t + 1);
     }
     *m = (struct room){ 0 };
-    m->mesh = (struct zs_mesh){ .pos = pos,
-                                .tri = tri,
-                                .face_raw = raw,
-                                .n_verts = 3 * TRIS,
-                                .n_tris = TRIS,
-                                .scale = ZS_Q16_ONE >> scale_bits,
-                                .radius = (uint16_t)(320 << scale_bits) };
+    m->mesh = (struct zs_mesh){
+        .pos = pos, .tri = tri, .face_raw = raw, .n_verts = 3 * TRIS, .n_tris = TRIS, .scale = ZS_Q16_ONE >> scale_bits,
+        .radius = (uint16_t)(320 << scale_bits)
+    };
     m->quad = (struct zs_mesh){ .pos = quad_pos, .tri = quad_tri, .n_verts = 4, .n_tris = 2, .radius = 81 };
     m->thing[0] = (struct zs_instance){ .mesh = &m->mesh, .material = materials[prng_pick(p, 3)] };
     m->thing[1] = (struct zs_instance){ .mesh = &m->quad, .material = &window };
@@ -445,11 +442,10 @@ static int way_case(uint64_t seed)
             in[k].material = &glass;
     struct zs_pass pass[2] = { { .scene = &holes, .camera = &w.camera },
                                { .scene = &seen, .camera = &w.camera, .mirror = &mirror, .mask = &zs_mask_window } };
-    struct zs_config c = { .width = (uint16_t)prng_range(&p, 1, 90),
-                           .height = (uint16_t)prng_range(&p, 1, 70),
-                           .max_tris = 4000,
-                           .max_verts = 8000,
-                           .varyings = ZS_VARYINGS_MAX };
+    struct zs_config c = {
+        .width = (uint16_t)prng_range(&p, 1, 90), .height = (uint16_t)prng_range(&p, 1, 70), .max_tris = 4000,
+        .max_verts = 8000, .varyings = ZS_VARYINGS_MAX
+    };
     c.depth = w.camera.projection == ZS_ORTHOGRAPHIC ? &zs_depth_linear
               : prng_pick(&p, 2)                     ? &zs_depth_float
                                                      : &zs_depth_recip;

@@ -141,20 +141,14 @@ static int16_t place(struct prng *p, int size)
 static void item_make(struct stock *s, struct prng *p, struct zs_item *item, int w, int h)
 {
     const struct zs_item_kind *kind = kinds[prng_pick(p, 9)];
-    *item = (struct zs_item){ .kind = kind,
-                              .x = place(p, w),
-                              .y = place(p, h),
-                              .w = place(p, w),
-                              .h = place(p, h),
-                              .color = (uint16_t)prng_next(p),
-                              .back = (uint16_t)prng_next(p),
-                              .value = (uint16_t)prng_next(p),
-                              .clear = prng_pick(p, 2) ? (uint8_t)prng_next(p) : 0,
-                              .size = (uint8_t)prng_pick(p, 5),
-                              .flags = (uint8_t)prng_pick(p, 8),
-                              .from = (zs_turn)prng_next(p),
-                              .sweep = (zs_turn)(prng_pick(p, 4) ? prng_next(p) : prng_pick(p, 4) << 14),
-                              .back_clear = prng_pick(p, 2) ? (uint8_t)prng_next(p) : 0 };
+    *item = (struct zs_item){
+        .kind = kind, .x = place(p, w), .y = place(p, h), .w = place(p, w), .h = place(p, h),
+        .color = (uint16_t)prng_next(p), .back = (uint16_t)prng_next(p), .value = (uint16_t)prng_next(p),
+        .clear = prng_pick(p, 2) ? (uint8_t)prng_next(p) : 0, .size = (uint8_t)prng_pick(p, 5),
+        .flags = (uint8_t)prng_pick(p, 8), .from = (zs_turn)prng_next(p),
+        .sweep = (zs_turn)(prng_pick(p, 4) ? prng_next(p) : prng_pick(p, 4) << 14),
+        .back_clear = prng_pick(p, 2) ? (uint8_t)prng_next(p) : 0
+    };
     if (!prng_pick(p, 6))
         item->value = prng_pick(p, 2) ? 65535 : 0;
     if (kind == &zs_item_arc || kind == &zs_item_needle || kind == &zs_item_ticks) {
@@ -355,12 +349,10 @@ static void draw(struct frame *f, const struct zs_item *item, uint32_t n, int st
     for (int y0 = 0; y0 < f->h; y0 += strip_h) {
         const int y1 = y0 + strip_h < f->h ? y0 + strip_h : f->h;
         uint16_t *color = malloc((size_t)(y1 - y0) * (size_t)f->w * 2u);
-        const struct zs_target t = { .color = color,
-                                     .y0 = (uint16_t)y0,
-                                     .y1 = (uint16_t)y1,
-                                     .x0 = (uint16_t)x0,
-                                     .x1 = (uint16_t)x1,
-                                     .pitch = (uint32_t)f->w };
+        const struct zs_target t = {
+            .color = color, .y0 = (uint16_t)y0, .y1 = (uint16_t)y1, .x0 = (uint16_t)x0, .x1 = (uint16_t)x1,
+            .pitch = (uint32_t)f->w
+        };
         for (int y = y0; y < y1; y++)
             for (int x = 0; x < f->w; x++)
                 color[(y - y0) * f->w + x] = zs_wire16(f->px[y][x]);
@@ -491,18 +483,11 @@ static void stress_44_ends_of_int16(void **state)
     struct stock s;
     stock_make(&s, &p, 7, 5);
     for (int k = 0; k < 9 * 8 * 8 * 8 * 8; k++) {
-        const struct zs_item item = { .kind = kinds[k % 9],
-                                      .x = ends[k / 9 % 8],
-                                      .y = ends[k / 72 % 8],
-                                      .w = ends[k / 576 % 8],
-                                      .h = ends[k / 4608],
-                                      .color = 0x1234,
-                                      .back = 0x4321,
-                                      .value = (uint16_t)(k % 3 * 9),
-                                      .clear = (uint8_t)(k % 4 * 60),
-                                      .size = (uint8_t)(k % 5),
-                                      .sprite = &s.sprite[k % 3],
-                                      .text = s.text[k % 4] };
+        const struct zs_item item = {
+            .kind = kinds[k % 9], .x = ends[k / 9 % 8], .y = ends[k / 72 % 8], .w = ends[k / 576 % 8],
+            .h = ends[k / 4608], .color = 0x1234, .back = 0x4321, .value = (uint16_t)(k % 3 * 9),
+            .clear = (uint8_t)(k % 4 * 60), .size = (uint8_t)(k % 5), .sprite = &s.sprite[k % 3], .text = s.text[k % 4]
+        };
         struct frame before = frame_make(&p, k % 2 ? 7 : 1, k % 2 ? 5 : 1), whole = before, rows = before;
         draw(&whole, &item, 1, whole.h, 0, whole.w);
         draw(&rows, &item, 1, 1, 0, rows.w);
@@ -697,15 +682,10 @@ static void every_letter_is_another(void **state)
 static void a_ray_is_of_one_side(void **state)
 {
     struct frame f = { .w = 9, .h = 9 };
-    const struct zs_item half = { .kind = &zs_item_arc,
-                                  .x = 4,
-                                  .y = 4,
-                                  .w = 3,
-                                  .h = 2,
-                                  .sweep = 32768,
-                                  .value = 65535,
-                                  .color = 0xffff,
-                                  .back_clear = 255 };
+    const struct zs_item half = {
+        .kind = &zs_item_arc, .x = 4, .y = 4, .w = 3, .h = 2, .sweep = 32768, .value = 65535, .color = 0xffff,
+        .back_clear = 255
+    };
     draw(&f, &half, 1, 9, 0, 9);
     assert_int_equal(f.px[1][4], 0xffff);
     assert_int_equal(f.px[4][7], 0xffff);

@@ -139,6 +139,27 @@ static void expect_problem(const struct pm_model *m, size_t nth, enum pm_problem
     assert_non_null(strstr(p[nth].text, words));
 }
 
+struct problem {
+    const char *text; /* for feed or feed_low */
+    enum pm_problem_kind kind;
+    uint64_t at;
+    const char *words;
+};
+
+/* Each of n texts, to a panel of its own, brings the one problem that it says. */
+static void expect_each(const char *panel, void (*feed_it)(struct pm_model *, const char *), const struct problem *cases,
+                        size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        struct view v = open_named(panel);
+        feed_it(v.m, cases[i].text);
+        pm_end(v.m);
+        expect_problem(v.m, 0, cases[i].kind, cases[i].at, cases[i].words);
+        expect_problems(v.m, 1);
+        close_view(&v);
+    }
+}
+
 /* ---- MIPI DCS: all three ------------------------------------------------------------------------------- */
 
 #define AWAKE "! 11; 3A 55; 29; " /* three commands, four bytes */
@@ -379,12 +400,7 @@ static void views(void **state)
 
 static void dcs_problems(void **state)
 {
-    static const struct {
-        const char *text;
-        enum pm_problem_kind kind;
-        uint64_t at;
-        const char *words;
-    } cases[] = {
+    static const struct problem cases[] = {
         { "! 11; 99 01 02; 29", PM_UNKNOWN, 1, "0x99 is not a command" },
         { "! 11; 36; 29", PM_COUNT, 1, "MADCTL (0x36) takes 1 argument, not 0" },
         { "! 11; 2A 00 00 00; 29", PM_COUNT, 1, "CASET (0x2A) takes 4 arguments, not 3" },
@@ -405,14 +421,7 @@ static void dcs_problems(void **state)
     };
     static const char *const glass[] = { "st7789:240x320", "ili9341:240x320" };
     for (size_t g = 0; g < 2; g++)
-        for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-            struct view v = open_named(glass[g]);
-            feed(v.m, cases[i].text);
-            pm_end(v.m);
-            expect_problem(v.m, 0, cases[i].kind, cases[i].at, cases[i].words);
-            expect_problems(v.m, 1);
-            close_view(&v);
-        }
+        expect_each(glass[g], feed, cases, sizeof cases / sizeof cases[0]);
 }
 
 static void data_before_any_command(void **state)
@@ -664,12 +673,7 @@ static void ssd1351_96_rows(void **state)
 
 static void ssd1351_problems(void **state)
 {
-    static const struct {
-        const char *text;
-        enum pm_problem_kind kind;
-        uint64_t at;
-        const char *words;
-    } cases[] = {
+    static const struct problem cases[] = {
         { "! FD 12; A2 00", PM_STATE, 2, "set display offset (0xA2) is locked until 0xFD 0xB1" },
         { "! FD 16; AF", PM_STATE, 2, "is locked until 0xFD 0x12" },
         { "! FD 55", PM_VALUE, 0, "none of the four keys" },
@@ -685,14 +689,7 @@ static void ssd1351_problems(void **state)
         { "! C7 10", PM_VALUE, 0, "out of range" },
         { "! A0 7C", PM_VALUE, 0, "a bit that is not used" },
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct view v = open_named("ssd1351:128x128");
-        feed(v.m, cases[i].text);
-        pm_end(v.m);
-        expect_problem(v.m, 0, cases[i].kind, cases[i].at, cases[i].words);
-        expect_problems(v.m, 1);
-        close_view(&v);
-    }
+    expect_each("ssd1351:128x128", feed, cases, sizeof cases / sizeof cases[0]);
 }
 
 static void ssd1351_light(void **state)
@@ -761,12 +758,7 @@ static void ssd0323_rules(void **state)
 
 static void ssd0323_problems(void **state)
 {
-    static const struct {
-        const char *text;
-        enum pm_problem_kind kind;
-        uint64_t at;
-        const char *words;
-    } cases[] = {
+    static const struct problem cases[] = {
         { "! 15 00 [12] AF", PM_COUNT, 0, "set column address (0x15) takes 2 arguments, not 1" },
         { "! 15 00", PM_TRUNCATED, 2, "ends inside set column address" },
         { "! 15 00 40", PM_WINDOW, 0, "from 0 to 64 reaches out of the RAM, which ends at 63" },
@@ -775,14 +767,7 @@ static void ssd0323_problems(void **state)
         { "! C7", PM_UNKNOWN, 0, "0xC7 is not a command" },
         { "! 2F", PM_VALUE, 0, "is not followed" },
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct view v = open_named("ssd0323:128x64");
-        feed_low(v.m, cases[i].text);
-        pm_end(v.m);
-        expect_problem(v.m, 0, cases[i].kind, cases[i].at, cases[i].words);
-        expect_problems(v.m, 1);
-        close_view(&v);
-    }
+    expect_each("ssd0323:128x64", feed_low, cases, sizeof cases / sizeof cases[0]);
 }
 
 /* ---- SSD1306 ------------------------------------------------------------------------------------------- */
@@ -928,12 +913,7 @@ static void ssd1306_glass_and_light(void **state)
 
 static void ssd1306_problems(void **state)
 {
-    static const struct {
-        const char *text;
-        enum pm_problem_kind kind;
-        uint64_t at;
-        const char *words;
-    } cases[] = {
+    static const struct problem cases[] = {
         { "! AF", PM_STATE, 0, "without its charge pump" },
         { "! D3 [12]", PM_COUNT, 0, "set display offset (0xD3) takes 1 argument, not 0" },
         { "! E3 D3", PM_TRUNCATED, 2, "ends inside set display offset (0xD3) of byte 1" },
@@ -948,14 +928,7 @@ static void ssd1306_problems(void **state)
         { "! C1", PM_UNKNOWN, 0, "0xC1 is not a command" },
         { "! F5", PM_UNKNOWN, 0, "0xF5 is not a command" },
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct view v = open_named("ssd1306:128x64");
-        feed_low(v.m, cases[i].text);
-        pm_end(v.m);
-        expect_problem(v.m, 0, cases[i].kind, cases[i].at, cases[i].words);
-        expect_problems(v.m, 1);
-        close_view(&v);
-    }
+    expect_each("ssd1306:128x64", feed_low, cases, sizeof cases / sizeof cases[0]);
 }
 
 /* ---- All: names, glass that does not fit, and junk ----------------------------------------------------- */

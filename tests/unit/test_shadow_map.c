@@ -109,12 +109,10 @@ static int place_make(struct place *s, struct prng *p)
 /* Draw the map with a renderer for it alone. */
 static int map_draw(struct place *s, struct prng *p)
 {
-    struct zs_config c = { .width = s->map.w,
-                           .height = s->map.h,
-                           .strip_h = s->map.h,
-                           .max_tris = 200,
-                           .max_verts = 200,
-                           .depth = &zs_depth_linear };
+    struct zs_config c = {
+        .width = s->map.w, .height = s->map.h, .strip_h = s->map.h, .max_tris = 200, .max_verts = 200,
+        .depth = &zs_depth_linear
+    };
     struct zs_renderer r;
     if (p)
         picture_any_way(p, &c, 2, 6);

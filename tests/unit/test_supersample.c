@@ -104,6 +104,14 @@ static int shows(const struct glass *g, const struct picture *samples)
 
 static struct glass glass;
 
+/* A panel of w x h px on which nothing has arrived. */
+static void glass_clear(int32_t w, int32_t h)
+{
+    memset(&glass, 0, sizeof glass);
+    glass.w = w;
+    glass.h = h;
+}
+
 /* A renderer over memory of its own. */
 static int renderer_make(struct zs_renderer *r, const struct zs_config *c, void **arena)
 {
@@ -117,9 +125,7 @@ static int show(const struct zs_config *c, const struct zs_scene *scene, const s
     struct zs_renderer r;
     struct zs_supersample s;
     void *arena;
-    memset(&glass, 0, sizeof glass);
-    glass.w = c->width / 2;
-    glass.h = c->height / 2;
+    glass_clear(c->width / 2, c->height / 2);
     const struct zs_sink sink = glass_sink(&glass, late);
     int err = renderer_make(&r, c, &arena);
     err = err ? err : zs_supersample_init(&s, &r, &sink);
@@ -150,12 +156,10 @@ static int average_case(uint64_t seed)
     struct prng p = { seed };
     struct zs_background sky = { random_fill, &seed };
     const struct zs_scene scene = { .sky = &sky };
-    struct zs_config c = { .width = (uint16_t)(2 * prng_range(&p, 1, 60)),
-                           .height = (uint16_t)(2 * prng_range(&p, 1, 40)),
-                           .max_tris = 1,
-                           .max_verts = 3,
-                           .depth = &zs_depth_linear,
-                           .buffers = (uint8_t)(1 + prng_pick(&p, 2)) };
+    struct zs_config c = {
+        .width = (uint16_t)(2 * prng_range(&p, 1, 60)), .height = (uint16_t)(2 * prng_range(&p, 1, 40)), .max_tris = 1,
+        .max_verts = 3, .depth = &zs_depth_linear, .buffers = (uint8_t)(1 + prng_pick(&p, 2))
+    };
     c.strip_h = (uint16_t)(2 * prng_range(&p, 1, c.height / 2));
     if (!prng_pick(&p, 8)) { /* each colour, four times */
         c.width = c.height = 512;
@@ -234,9 +238,7 @@ static int coverage_case(uint64_t seed)
     struct zs_renderer r;
     struct zs_supersample s;
     void *arena;
-    memset(&glass, 0, sizeof glass);
-    glass.w = w;
-    glass.h = h;
+    glass_clear(w, h);
     const struct zs_sink sink = glass_sink(&glass, 0);
     int err = renderer_make(&r, &c, &arena);
     err = err ? err : zs_supersample_init(&s, &r, &sink);
@@ -332,9 +334,7 @@ static void four_samples_are_nearer(void **state)
         struct zs_renderer r;
         struct zs_supersample s;
         void *arena;
-        memset(&glass, 0, sizeof glass);
-        glass.w = w;
-        glass.h = h;
+        glass_clear(w, h);
         const struct zs_sink sink = glass_sink(&glass, 0);
         assert_int_equal(renderer_make(&r, &c, &arena), ZS_OK);
         assert_int_equal(zs_supersample_init(&s, &r, &sink), ZS_OK);
@@ -380,12 +380,11 @@ static int damage_case(uint64_t seed)
     for (; !w.trusted; world_make(&w, &p, 0))
         world_free(&w);
     w.scene.n_resolves = 0;
-    struct zs_config c = { .width = (uint16_t)(2 * prng_range(&p, 1, 45)),
-                           .height = (uint16_t)(2 * prng_range(&p, 1, 35)),
-                           .max_tris = 4000,
-                           .max_verts = 8000,
-                           .varyings = ZS_VARYINGS_MAX,
-                           .depth = w.camera.projection == ZS_PERSPECTIVE ? &zs_depth_float : &zs_depth_linear };
+    struct zs_config c = {
+        .width = (uint16_t)(2 * prng_range(&p, 1, 45)), .height = (uint16_t)(2 * prng_range(&p, 1, 35)),
+        .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
+        .depth = w.camera.projection == ZS_PERSPECTIVE ? &zs_depth_float : &zs_depth_linear
+    };
     struct zs_config whole = c;
     whole.strip_h = c.height;
     picture_any_way(&p, &c, 2, 6);
@@ -395,9 +394,7 @@ static int damage_case(uint64_t seed)
     struct zs_supersample s;
     const struct zs_resolve hook = { .draw = mark_draw };
     void *arena;
-    memset(&glass, 0, sizeof glass);
-    glass.w = width;
-    glass.h = height;
+    glass_clear(width, height);
     const struct zs_sink sink = glass_sink(&glass, (int)prng_pick(&p, 2));
     int err = renderer_make(&r, &c, &arena);
     err = err ? err : zs_supersample_init(&s, &r, &sink);
@@ -466,9 +463,7 @@ static void cells_of_odd_width(void **state)
     struct zs_renderer r;
     struct zs_supersample s;
     void *arena;
-    memset(&glass, 0, sizeof glass);
-    glass.w = 6;
-    glass.h = 1;
+    glass_clear(6, 1);
     assert_int_equal(renderer_make(&r, &c, &arena), ZS_OK);
     assert_int_equal(damage_compare_anew(&r, &hashes, sums, 4), ZS_OK);
     assert_int_equal(zs_supersample_init(&s, &r, &sink), ZS_OK);
@@ -517,9 +512,7 @@ static void calls_and_errors(void **state)
     assert_int_equal(zs_supersample_invalidate(NULL, NULL), ZS_ERR_NULL);
     assert_int_equal(zs_supersample_invalidate(&macro_2x2, NULL), ZS_OK);
 
-    memset(&glass, 0, sizeof glass);
-    glass.w = 20;
-    glass.h = 10;
+    glass_clear(20, 10);
     glass.fails = -200;
     assert_int_equal(zs_render(&macro, &scene, &camera, &macro_2x2.sink), -200);
     assert_int_equal(glass.ends, 1);

@@ -87,6 +87,15 @@ static void triangle_set(uint32_t t, struct prng *p, int32_t nearest, int32_t de
     instances[t] = (struct zs_instance){ .mesh = &mesh[t], .material = &material[of_material[t]].material };
 }
 
+/* New materials, the camera, and the triangles in the scene's order. */
+static int begin(struct prng *p, struct zs_camera *camera, uint32_t order[TRIS], uint32_t n)
+{
+    materials_set(p);
+    for (uint32_t t = 0; t < n; t++)
+        order[t] = t;
+    return !zs_camera_perspective(camera, ZS_DEGREES(60), 48, 100, 40000) || case_wrong("camera");
+}
+
 static unsigned walks, layers_drawn;
 
 /* The method shows the first n instances as no method does that gets them in this order. */
@@ -118,11 +127,9 @@ static int single_case(uint64_t seed)
     const int32_t nearest = prng_range(&p, 101, 5000), depth = prng_range(&p, 0, prng_pick(&p, 2) ? 4 : 20000);
     struct zs_camera camera;
     uint32_t order[TRIS];
-    materials_set(&p);
-    if (zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 100, 40000))
-        return case_wrong("camera");
+    if (!begin(&p, &camera, order, n))
+        return 0;
     for (uint32_t t = 0; t < n; t++) {
-        order[t] = t;
         triangle_set(t, &p, nearest, depth);
         if (prng_pick(&p, 4) == 0)
             instances[t].depth_state = &any[prng_pick(&p, 3)];
@@ -147,11 +154,9 @@ static int painter_case(uint64_t seed)
     const uint32_t n = (uint32_t)prng_range(&p, 1, TRIS);
     struct zs_camera camera;
     uint32_t order[TRIS];
-    materials_set(&p);
-    if (zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 100, 40000))
-        return case_wrong("camera");
+    if (!begin(&p, &camera, order, n))
+        return 0;
     for (uint32_t t = 0; t < n; t++) {
-        order[t] = t;
         triangle_set(t, &p, prng_range(&p, 101, 5000), prng_range(&p, 0, 4));
     }
     qsort(order, n, sizeof order[0], far_first);

@@ -6,19 +6,10 @@
  */
 #include <stdint.h>
 
+#include "../startup.h"
+
 #define SCB_VTOR (*(volatile uint32_t *)0xe000ed08u)
-#define PAINT 0xa5a5a5a5u /* what hal/stack/stack.c looks for */
 
-/* From sections.ld. */
-extern uint32_t __data_load[], __data_start[], __data_end[], __bss_start[], __bss_end[];
-extern uint32_t __stack_limit[], __stack_top[];
-
-int main(void);
-void Reset_Handler(void);
-void Default_Handler(void);
-
-/* Weak: the HAL defines those that it uses. */
-#define WEAK __attribute__((weak, alias("Default_Handler")))
 void NMI_Handler(void) WEAK;
 void HardFault_Handler(void) WEAK; /* the other faults are not enabled and end here too */
 void SVC_Handler(void) WEAK;
@@ -46,15 +37,6 @@ void Reset_Handler(void)
 #if __ARM_ARCH >= 7
     SCB_VTOR = (uint32_t)(uintptr_t)vectors;
 #endif
-    const uint32_t *from = __data_load;
-    for (uint32_t *at = __data_start; at < __data_end; at++)
-        *at = *from++;
-    for (uint32_t *at = __bss_start; at < __bss_end; at++)
-        *at = 0;
-    uint32_t *sp;
-    __asm__ volatile("mov %0, sp" : "=r"(sp));
-    for (volatile uint32_t *at = __stack_limit; at < sp; at++)
-        *at = PAINT;
-    (void)main();
-    Default_Handler();
+    memory_start();
+    main_start();
 }

@@ -4,18 +4,8 @@
  */
 #include <stdint.h>
 
-#define PAINT 0xa5a5a5a5u
+#include "../startup.h"
 
-/* From pico.ld. */
-extern uint32_t __data_load[], __data_start[], __data_end[], __bss_start[], __bss_end[];
-extern uint32_t __stack_limit[], __stack_top[];
-
-int main(void);
-void Reset_Handler(void);
-void Default_Handler(void);
-
-/* Weak: the HAL defines those that it uses. */
-#define WEAK __attribute__((weak, alias("Default_Handler")))
 void NMI_Handler(void) WEAK;
 void HardFault_Handler(void) WEAK;
 void SVC_Handler(void) WEAK;
@@ -54,10 +44,5 @@ void Reset_Handler(void)
         *at = *from++;
     for (volatile uint32_t *at = __bss_start; at < __bss_end; at++)
         *at = 0;
-    uint32_t *sp;
-    __asm__ volatile("mov %0, sp" : "=r"(sp));
-    for (volatile uint32_t *at = __stack_limit; at < sp; at++)
-        *at = PAINT;
-    (void)main();
-    Default_Handler();
+    main_start();
 }

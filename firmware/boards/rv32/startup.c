@@ -4,17 +4,10 @@
  */
 #include <stdint.h>
 
-#define PAINT 0xa5a5a5a5u /* what hal/stack/stack.c looks for */
+#include "../startup.h"
 
-/* From sections.ld. */
-extern uint32_t __data_load[], __data_start[], __data_end[], __bss_start[], __bss_end[];
-extern uint32_t __stack_limit[], __stack_top[];
-
-int main(void);
-void Reset_Handler(void);
 void start(void);
-void Default_Handler(void);
-void Trap_Handler(void) __attribute__((weak, alias("Default_Handler"))); /* a HAL may define it */
+void Trap_Handler(void) WEAK; /* a HAL may define it */
 
 void Default_Handler(void)
 {
@@ -39,11 +32,7 @@ __attribute__((naked, section(".vectors"))) void Reset_Handler(void)
 /* Naked of locals on purpose: everything below the stack pointer is painted. */
 void start(void)
 {
-    const uint32_t *from = __data_load;
-    for (uint32_t *at = __data_start; at < __data_end; at++)
-        *at = *from++;
-    for (uint32_t *at = __bss_start; at < __bss_end; at++)
-        *at = 0;
+    memory_start();
     uint32_t *sp;
     __asm__ volatile("mv %0, sp" : "=r"(sp));
     for (volatile uint32_t *at = __stack_limit; at < sp; at++)

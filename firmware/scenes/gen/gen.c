@@ -247,6 +247,23 @@ void gen_quad(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, uint32_t d
     gen_tri(m, a, c, d, rgb);
 }
 
+void gen_box_side(int64_t corner[3], int64_t right[3], int64_t down[3], const int8_t side[2][3], int64_t half,
+                  int from_outside)
+{
+    int64_t middle[3];
+    for (int k = 0; k < 3; k++) {
+        right[k] = 2 * half * side[0][k];
+        down[k] = 2 * half * side[1][k];
+    }
+    if (from_outside)
+        gen_cross(middle, down, right);
+    else
+        gen_cross(middle, right, down);
+    gen_unit(middle, half);
+    for (int k = 0; k < 3; k++)
+        corner[k] = middle[k] - (right[k] + down[k]) / 2;
+}
+
 void gen_panel(struct gen_mesh *m, const int64_t corner[3], const int64_t right[3],
                const int64_t down[3], const int64_t uv[2][2])
 {

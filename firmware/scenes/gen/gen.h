@@ -62,6 +62,11 @@ void gen_uv(struct gen_mesh *m, uint32_t vertex, int64_t u, int64_t v);
 void gen_panel(struct gen_mesh *m, const int64_t corner[3], const int64_t right[3],
                const int64_t down[3], const int64_t uv[2][2]);
 
+/* A side of a cube about the origin, for gen_panel: its first corner, and its edges from there. side: the directions
+ * right and down, -1, 0 or 1 each, as seen from outside, or from within. half: of an edge. */
+void gen_box_side(int64_t corner[3], int64_t right[3], int64_t down[3], const int8_t side[2][3], int64_t half,
+                  int from_outside);
+
 /* Vertex normals from the triangles around each place, weighted by area: vertices at one place get
  * one normal, so that the seams of textures do not show in the light. After the last triangle. */
 void gen_smooth(struct gen_mesh *m);

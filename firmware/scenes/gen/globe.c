@@ -64,15 +64,8 @@ static void sky(void)
     struct gen_mesh *m = gen_begin("sky");
     m->uv_bits = UV_BITS - 1;
     for (int i = 0; i < 6; i++) {
-        int64_t right[3], down[3], ahead[3], corner[3];
-        for (int k = 0; k < 3; k++) {
-            right[k] = 2 * SKY * sides[i][0][k];
-            down[k] = 2 * SKY * sides[i][1][k];
-        }
-        gen_cross(ahead, right, down);
-        gen_unit(ahead, SKY);
-        for (int k = 0; k < 3; k++)
-            corner[k] = ahead[k] - (right[k] + down[k]) / 2;
+        int64_t right[3], down[3], corner[3];
+        gen_box_side(corner, right, down, (const int8_t(*)[3])sides[i], SKY, 0);
         const int64_t uv[2][2] = { { 0, 0 }, { 2 << (UV_BITS - 1), 2 << (UV_BITS - 1) } };
         gen_panel(m, corner, right, down, uv);
     }

@@ -137,15 +137,8 @@ static void crate(void)
     };
     struct gen_mesh *m = begin("crate");
     for (int i = 0; i < 6; i++) {
-        int64_t right[3], down[3], out[3], corner[3];
-        for (int k = 0; k < 3; k++) {
-            right[k] = 2 * HALL_CRATE * sides[i][0][k];
-            down[k] = 2 * HALL_CRATE * sides[i][1][k];
-        }
-        gen_cross(out, down, right);
-        gen_unit(out, HALL_CRATE);
-        for (int k = 0; k < 3; k++)
-            corner[k] = out[k] - (right[k] + down[k]) / 2;
+        int64_t right[3], down[3], corner[3];
+        gen_box_side(corner, right, down, (const int8_t(*)[3])sides[i], HALL_CRATE, 1);
         covered(m, corner, right, down, 2 * HALL_CRATE);
     }
     gen_write(m, GEN_FACE_NORMAL | GEN_UV, 65536);

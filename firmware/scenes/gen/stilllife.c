@@ -9,10 +9,7 @@ static const struct gen_rgb white = { 255, 255, 255 };
 
 /* ---- Turned things ------------------------------------------------------------------------------------------ */
 
-#define PEEL                                                                                                          \
-    {                                                                                                                 \
-        255, 255, 255                                                                                                 \
-    }
+#define PEEL { 255, 255, 255 }
 static const struct lathe_point orange[] = {
     { 0, 690, 1, PEEL },   { 200, 715, 2, PEEL }, { 390, 560, 2, PEEL }, { 430, 360, 2, PEEL },
     { 340, 115, 1, PEEL }, { 150, 12, 1, PEEL },  { 0, 0, 0, PEEL },
@@ -38,14 +35,8 @@ static const struct lathe_point stem[] = {
 };
 
 /* Dark glaze with two pale bands. */
-#define BLUE                                                                                                          \
-    {                                                                                                                 \
-        24, 78, 120                                                                                                   \
-    }
-#define PALE                                                                                                          \
-    {                                                                                                                 \
-        232, 224, 200                                                                                                 \
-    }
+#define BLUE { 24, 78, 120 }
+#define PALE { 232, 224, 200 }
 static const struct lathe_point vase[] = {
     { 215, 2240, 1, BLUE }, { 285, 2300, 1, PALE }, { 345, 2330, 1, PALE }, { 330, 2270, 1, BLUE },
     { 205, 2040, 1, BLUE }, { 215, 1830, 1, BLUE }, { 320, 1660, 1, PALE }, { 370, 1600, 1, BLUE },
@@ -54,14 +45,8 @@ static const struct lathe_point vase[] = {
 };
 
 /* Inside from the bottom up, round the rim, and down to the foot. */
-#define CLAY                                                                                                          \
-    {                                                                                                                 \
-        196, 104, 66                                                                                                  \
-    }
-#define CREAM                                                                                                         \
-    {                                                                                                                 \
-        240, 226, 196                                                                                                 \
-    }
+#define CLAY { 196, 104, 66 }
+#define CREAM { 240, 226, 196 }
 static const struct lathe_point bowl[] = {
     { 0, 130, 1, CREAM },    { 420, 160, 2, CREAM }, { 860, 330, 2, CREAM }, { 1090, 620, 1, CREAM },
     { 1125, 655, 1, CREAM }, { 1155, 640, 1, CLAY }, { 1130, 590, 2, CLAY }, { 900, 260, 2, CLAY },
@@ -80,10 +65,7 @@ static const struct lathe_point wine[] = {
 };
 
 /* The mirror's foot and its pole. */
-#define BRASS                                                                                                         \
-    {                                                                                                                 \
-        226, 172, 74                                                                                                  \
-    }
+#define BRASS { 226, 172, 74 }
 static const struct lathe_point stand[] = {
     { 0, 460, 1, BRASS },  { 95, 430, 1, BRASS }, { 60, 330, 1, BRASS }, { 130, 250, 1, BRASS }, { 70, 170, 1, BRASS },
     { 210, 95, 2, BRASS }, { 480, 55, 1, BRASS }, { 505, 20, 1, BRASS }, { 495, 0, 0, BRASS },

@@ -178,16 +178,10 @@ static const uint16_t rim_pixel[9 * 9] = {
 #undef D
 #undef G
 #undef L
-static const struct zs_sprite rim = { .pixel = rim_pixel,
-                                      .w = 9,
-                                      .h = 9,
-                                      .format = ZS_SPRITE_565,
-                                      .key = 0,
-                                      .alpha_kind = ZS_ALPHA_KEY,
-                                      .left = 4,
-                                      .top = 4,
-                                      .right = 4,
-                                      .bottom = 4 };
+static const struct zs_sprite rim = {
+    .pixel = rim_pixel, .w = 9, .h = 9, .format = ZS_SPRITE_565, .key = 0, .alpha_kind = ZS_ALPHA_KEY, .left = 4,
+    .top = 4, .right = 4, .bottom = 4
+};
 
 static void add_gauges(const struct flight *a, const struct zs_rect *mirror, uint16_t w, uint16_t h)
 {

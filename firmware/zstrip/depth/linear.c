@@ -118,10 +118,7 @@ static void linear_row(struct zs_job *job, const struct zs_row *row)
         job->piece(job, row, i, i + 1, pixel_key(&job->r->view, w, job->w64_scale) << 16, 0);
 }
 
-const struct zs_depth zs_depth_linear = { .setup = linear_setup,
-                                          .vertex = linear_vertex,
-                                          .planes = linear_planes,
-                                          .walk = zs_depth_walk,
-                                          .row = linear_row,
-                                          .inverse = linear_inverse,
-                                          .key = linear_key };
+const struct zs_depth zs_depth_linear = {
+    .setup = linear_setup, .vertex = linear_vertex, .planes = linear_planes, .walk = zs_depth_walk,
+    .row = linear_row, .inverse = linear_inverse, .key = linear_key
+};

@@ -175,8 +175,7 @@ static int layers_begin(struct zs_renderer *r)
     return r->config.max_tris >= 2 && r->config.max_verts >= 6 ? ZS_OK : ZS_ERR_SIZE;
 }
 
-const struct zs_method zs_method_transparent = { .begin = layers_begin,
-                                                 .strip = layers_strip,
-                                                 .full = layers_full,
-                                                 .list = layers_list,
-                                                 .passes = 1 };
+const struct zs_method zs_method_transparent = {
+    .begin = layers_begin, .strip = layers_strip, .full = layers_full, .list = layers_list,
+    .passes = 1
+};

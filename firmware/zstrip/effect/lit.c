@@ -91,9 +91,7 @@ static int lit_check(const struct zs_instance *in, const struct zs_config *confi
     return in->mesh->normal ? zs_lit_check(in, config) : ZS_ERR_MESH;
 }
 
-const struct zs_shader zs_shade_lit = { .vertex = lit_vertex,
-                                        .start = zs_smooth_start,
-                                        .run = zs_smooth_run,
-                                        .check = lit_check,
-                                        .n_varyings = ZS_VARYINGS_LIT,
-                                        .opaque = 1 };
+const struct zs_shader zs_shade_lit = {
+    .vertex = lit_vertex, .start = zs_smooth_start, .run = zs_smooth_run, .check = lit_check,
+    .n_varyings = ZS_VARYINGS_LIT, .opaque = 1
+};

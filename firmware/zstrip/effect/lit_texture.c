@@ -37,13 +37,10 @@ static void lit_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
     out[2] = (uint16_t)((c[0] * 77u + c[1] * 150u + c[2] * 29u + 256u) >> 9);
 }
 
-const struct zs_shader zs_shade_texture_lit = { .vertex = lit_vertex,
-                                                .start = zs_texture_start,
-                                                .run = zs_texture_run,
-                                                .check = textured_check,
-                                                .light = zs_texture_light,
-                                                .n_varyings = ZS_VARYINGS_LIT,
-                                                .opaque = 1 };
+const struct zs_shader zs_shade_texture_lit = {
+    .vertex = lit_vertex, .start = zs_texture_start, .run = zs_texture_run, .check = textured_check,
+    .light = zs_texture_light, .n_varyings = ZS_VARYINGS_LIT, .opaque = 1
+};
 
 /* ---- Colours --------------------------------------------------------------------------------- */
 

@@ -59,12 +59,10 @@ void zs_supersample_strip(const struct zs_supersample *s, struct zs_strip *strip
     const uint32_t x0 = window[0] / 2u, x1 = window[1] / 2u;
     const uint32_t first = strip->dirty_x / 2u,
                    end = (strip->dirty_x + (uint32_t)strip->dirty_w + 1u) / 2u;
-    const struct zs_target target = { .color = px,
-                                      .y0 = (uint16_t)(strip->y / 2u),
-                                      .y1 = (uint16_t)(strip->y / 2u + rows),
-                                      .x0 = (uint16_t)x0,
-                                      .x1 = (uint16_t)x1,
-                                      .pitch = w };
+    const struct zs_target target = {
+        .color = px, .y0 = (uint16_t)(strip->y / 2u), .y1 = (uint16_t)(strip->y / 2u + rows),
+        .x0 = (uint16_t)x0, .x1 = (uint16_t)x1, .pitch = w
+    };
     if (strip->dirty_w) {
         for (uint32_t y = 0; y < rows; y++) {
             const uint16_t *const above = px + (2u * y * samples + 2u * x0);

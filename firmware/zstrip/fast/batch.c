@@ -413,11 +413,8 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     }
 }
 
-static const struct zs_fast_batch batch = { .needs = zs_screen_needs,
-                                            .open = batch_open,
-                                            .bin = batch_bin,
-                                            .screen = zs_screen,
-                                            .full = zs_parts_begin,
-                                            .spare = zs_parts_end,
-                                            .beside = zs_parts_beside };
+static const struct zs_fast_batch batch = {
+    .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen,
+    .full = zs_parts_begin, .spare = zs_parts_end, .beside = zs_parts_beside
+};
 const struct zs_fast zs_fast_batch = { .batch = &batch };

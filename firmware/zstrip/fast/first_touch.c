@@ -175,9 +175,8 @@ static int touch_takes(struct zs_job *job)
     return 1;
 }
 
-static const struct zs_fast_touch touch = { .begin = touch_begin,
-                                            .end = touch_end,
-                                            .takes = touch_takes,
-                                            .row = touch_row,
-                                            .piece = touch_piece };
+static const struct zs_fast_touch touch = {
+    .begin = touch_begin, .end = touch_end, .takes = touch_takes, .row = touch_row,
+    .piece = touch_piece
+};
 const struct zs_fast zs_fast_touch = { .touch = &touch };

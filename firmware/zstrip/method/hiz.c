@@ -76,11 +76,10 @@ static void hiz_begin_strip(struct zs_renderer *r)
     r->untouched = 1;
 }
 
-static const struct zs_fast_tiles hiz_tiles = { .cover = hiz_cover,
-                                                .seen = hiz_seen,
-                                                .hides = hiz_hides,
-                                                .hides_sphere = hiz_hides_sphere,
-                                                .in_vain = INT32_MAX };
+static const struct zs_fast_tiles hiz_tiles = {
+    .cover = hiz_cover, .seen = hiz_seen, .hides = hiz_hides, .hides_sphere = hiz_hides_sphere,
+    .in_vain = INT32_MAX
+};
 static const struct zs_fast_touch hiz_touch = { .begin = hiz_begin_strip };
 
 /* ---- First touch of a tile ------------------------------------------------------------------- */

@@ -169,12 +169,10 @@ static void strip_of(struct zs_explainer *e, const struct zs_strip *strip, struc
 {
     struct zs_renderer *const r = e->r;
     const struct zs_resolve *const hook = &e->scene->resolve[f->hook];
-    struct zs_target t = { .color = r->color[1],
-                           .depth = strip->depth,
-                           .y0 = strip->y,
-                           .y1 = (uint16_t)(strip->y + strip->h),
-                           .x1 = strip->w,
-                           .pitch = strip->w };
+    struct zs_target t = {
+        .color = r->color[1], .depth = strip->depth, .y0 = strip->y,
+        .y1 = (uint16_t)(strip->y + strip->h), .x1 = strip->w, .pitch = strip->w
+    };
     const uint32_t sum = hash_of(&t);
     compare(f, &t, 0);
     hook->draw(hook->ctx, &t);

@@ -7,6 +7,8 @@
 
 #include <stddef.h>
 
+#include "../bus_checks.h"
+
 /* libgcc's functions under other names. The mod functions return two registers: quotient low, remainder high. */
 int32_t libgcc___aeabi_idiv(int32_t n, int32_t d);
 uint32_t libgcc___aeabi_uidiv(uint32_t n, uint32_t d);
@@ -35,13 +37,6 @@ static uint32_t next(void)
     random_state ^= random_state >> 17;
     random_state ^= random_state << 5;
     return random_state;
-}
-
-static void verdict(const char *name, int good)
-{
-    hal_write(good ? "ok " : "FAILED ");
-    hal_write(name);
-    hal_write("\n");
 }
 
 /* ---- Division ------------------------------------------------------------------------------------------------ */
@@ -73,16 +68,6 @@ static void division(void)
 /* ---- The bus ---------------------------------------------------------------------------------------------- */
 
 static _Alignas(4) uint8_t bytes[4096];
-
-static void refusals(struct hal_bus *bus)
-{
-    int good = bus->data(bus, NULL, 4) == HAL_ERR_ARG && bus->data(bus, bytes, 0) == HAL_ERR_ARG;
-    good &= bus->command(bus, 1, NULL, 1) == HAL_ERR_ARG && bus->wait(bus) == HAL_ERR_NONE;
-    good &= bus->data(bus, bytes, 512) == HAL_ERR_NONE && bus->data(bus, bytes, 2) == HAL_ERR_STATE;
-    good &= bus->command(bus, 1, NULL, 0) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE;
-    good &= bus->wait(bus) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE;
-    verdict("pico_bus_refuses", good);
-}
 
 static void done(void *ctx)
 {
@@ -155,7 +140,7 @@ int main(void)
         hal_exit(1);
     verdict("pico_bus_before_init", early == HAL_ERR_STATE);
     division();
-    refusals(bus);
+    verdict("pico_bus_refuses", bus_refuses(bus, bytes));
     hooks(bus);
     clock(bus);
     wire(bus);

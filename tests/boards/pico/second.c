@@ -6,16 +6,11 @@
 
 #include "hal.h"
 
+#include "../bus_checks.h"
+
 #define ROUNDS 2000u
 
 static volatile uint32_t job, turn, seen, rounds, calls, sum, done, quotients;
-
-static void verdict(const char *name, int good)
-{
-    hal_write(good ? "ok " : "FAILED ");
-    hal_write(name);
-    hal_write("\n");
-}
 
 /* Divides: what it interrupts divides too. */
 static void called(void)

@@ -5,6 +5,8 @@
  */
 #include "hal.h"
 
+#include "../bus_checks.h"
+
 #define PLACES 110u /* more instructions than there are from the start of a transfer to the sleep */
 
 /* What the emulator does to the next transfer, `place` instructions after its start. */
@@ -26,13 +28,6 @@ static _Alignas(4) uint8_t px[64];
 __attribute__((noipa)) void sweep_next(enum sweep kind, uint32_t place)
 {
     __asm__ volatile("" ::"r"(kind), "r"(place) : "memory");
-}
-
-static void verdict(const char *name, int good)
-{
-    hal_write(good ? "ok " : "FAILED ");
-    hal_write(name);
-    hal_write("\n");
 }
 
 static void done(void *ctx)

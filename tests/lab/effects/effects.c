@@ -289,12 +289,10 @@ static int ready(void)
     const struct zs_scene scene = { .instance = caster, .n_instances = zs_shadow_casters(caster, &instance, 1, 0) };
     static const int32_t eye[3] = { 0, 0, 100 }, along[3] = { 0, 0, -ZS_Q30_ONE }, up[3] = { 0, ZS_Q30_ONE, 0 };
     struct zs_camera camera;
-    texture = (struct zs_texture){ .format = &zs_texel_565,
-                                   .texel = texels,
-                                   .palette = palette,
-                                   .log2_w = LOG2,
-                                   .log2_h = LOG2,
-                                   .n_levels = LOG2 + 1u };
+    texture = (struct zs_texture){
+        .format = &zs_texel_565, .texel = texels, .palette = palette, .log2_w = LOG2, .log2_h = LOG2,
+        .n_levels = LOG2 + 1u
+    };
     for (uint32_t i = 0; i < sizeof texels / sizeof texels[0]; i++)
         texels[i] = (uint16_t)(i * 40503u);
     cut(W, 16);

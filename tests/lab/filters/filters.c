@@ -73,13 +73,10 @@ static int measure(const char *picture, int32_t texels)
     }
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
         uint64_t plain, taken;
-        texture = (struct zs_texture){ .format = formats[f].format,
-                                       .texel = chain,
-                                       .palette = formats[f].n_colors ? palette : 0,
-                                       .n_colors = formats[f].n_colors,
-                                       .log2_w = LOG2,
-                                       .log2_h = LOG2,
-                                       .n_levels = LOG2 + 1u };
+        texture = (struct zs_texture){
+            .format = formats[f].format, .texel = chain, .palette = formats[f].n_colors ? palette : 0,
+            .n_colors = formats[f].n_colors, .log2_w = LOG2, .log2_h = LOG2, .n_levels = LOG2 + 1u
+        };
         err = err ? err : draw(&zs_shade_raw, &plain);
         for (uint32_t s = 0; !err && s < sizeof shaders / sizeof shaders[0]; s++) {
             err = draw(shaders[s].shader, &taken);

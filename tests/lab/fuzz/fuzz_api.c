@@ -866,12 +866,13 @@ static int within(uint32_t v, uint32_t lo, uint32_t hi)
 
 static void case_config(struct prng *p, uint32_t odd)
 {
-    struct zs_config c = { .width = any_size(p), .height = any_size(p), .strip_h = any_size(p), .max_tris = any_size(p),
-                           .max_verts = any_size(p), .varyings = (uint8_t)prng_pick(p, 5),
-                           .buffers = (uint8_t)prng_pick(p, 4),
-                           .subpixel_bits = one_in(p, 2) ? 8 : (uint8_t)prng_pick(p, 10),
-                           .depth_bits = one_in(p, 2) ? 16 : (uint8_t)prng_pick(p, 20),
-                           .depth = kind_depths[prng_pick(p, KINDS(kind_depths))].depth };
+    struct zs_config c = {
+        .width = any_size(p), .height = any_size(p), .strip_h = any_size(p), .max_tris = any_size(p),
+        .max_verts = any_size(p), .varyings = (uint8_t)prng_pick(p, 5), .buffers = (uint8_t)prng_pick(p, 4),
+        .subpixel_bits = one_in(p, 2) ? 8 : (uint8_t)prng_pick(p, 10),
+        .depth_bits = one_in(p, 2) ? 16 : (uint8_t)prng_pick(p, 20),
+        .depth = kind_depths[prng_pick(p, KINDS(kind_depths))].depth
+    };
     const int ok = within(c.width, 1, ZS_SIZE_MAX) && within(c.height, 1, ZS_SIZE_MAX) && c.strip_h &&
                    within(c.max_tris, 1, ZS_POOL_MAX) && within(c.max_verts, 3, ZS_POOL_MAX) &&
                    c.varyings <= ZS_VARYINGS_MAX && c.buffers <= 2 &&

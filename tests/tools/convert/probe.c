@@ -245,16 +245,10 @@ static int take(void *ctx, const struct zs_strip *s)
 static void render(const struct zs_instance *instance, const struct zs_camera *camera,
                    uint16_t background)
 {
-    static const struct zs_config config = { .width = W,
-                                             .height = H,
-                                             .strip_h = ROWS,
-                                             .max_tris = 20000,
-                                             .max_verts = 20000,
-                                             .varyings = M_VARYINGS,
-                                             .buffers = 1,
-                                             .subpixel_bits = 8,
-                                             .depth_bits = 16,
-                                             .depth = &zs_depth_recip };
+    static const struct zs_config config = {
+        .width = W, .height = H, .strip_h = ROWS, .max_tris = 20000, .max_verts = 20000, .varyings = M_VARYINGS,
+        .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip
+    };
     static struct zs_renderer renderer;
     ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 20000, 20000, M_VARYINGS, 1));
     const struct zs_scene scene = {
