@@ -27,7 +27,8 @@
  *           int32 "world units" of the user's choice; take a unit small enough to be precise.
  *           |coordinate| <= ZS_WORLD_MAX.
  * Winding   counter-clockwise, seen from outside, is the front.
- * Angles    16-bit turns: 65536 is one full turn, 16384 a right angle; ZS_DEGREES(90); signed: ZS_PITCH(-15).
+ * Angles    16-bit turns: 65536 is one full turn, 16384 a right angle; ZS_DEGREES(90); signed:
+ *           ZS_PITCH(-15).
  * Screen    x to the right, y down, pixel (i, j) is sampled at (i + 1/2, j + 1/2).
  * Coverage  vertices are snapped to 8 sub-pixel bits (4 on request). Of the snapped triangle,
  *           exactly the pixels of the top-left rule are drawn. Ranges are half-open: [y0, y1).

@@ -61,7 +61,8 @@ int main(void)
     screen_config.depth = &zs_depth_linear;
     screen_config.fast = fast;
     other_config.depth = &zs_depth_linear;
-    if (angle[0] != 8192 || angle[1] != 61440 || angle[2] != 0 || pitch[0] != -2731 || pitch[1] != 4096 || navy != zs_rgb565(0, 0, 128))
+    if (angle[0] != 8192 || angle[1] != 61440 || angle[2] != 0 || pitch[0] != -2731 || pitch[1] != 4096 ||
+        navy != zs_rgb565(0, 0, 128))
         return 3;
     if (ZS_INIT(other) || ZS_INIT(bare) || ZS_INIT(screen))
         return ZS_INIT(screen) == ZS_ERR_BUILD ? 7 : 5;

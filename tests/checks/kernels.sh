@@ -55,18 +55,18 @@ for c in $CPUS; do
     without texture recip "^($OTHER_SHADERS|zs_depth_walk|$LINEAR|zs_texel|fetch_(565|pal)|$FLOAT)"
     without flat e3m13 "^(zs_shade_(raw|smooth)|$RECIP|$LINEAR|zs_depth_(e4m12|e5m11)|e[45]_setup|$TEXTURE)"
     LIST='ZS_FAST_FRAME,'
-    without flat recip '^(zs_fast_(raw|flat))' 'clusters|solid|smooth|less|texture|texels'
+    without flat recip '^(zs_fast_(raw|flat))' 'cluster.*|solid|smooth|less|texture|texels'
     LIST=$FAST_FLAT
-    without flat recip '^(zs_fast_raw|zs_shade_(raw|smooth)|'"$TEXTURE"')' 'clusters|smooth|less|texture|texels'
+    without flat recip '^(zs_fast_raw|zs_shade_(raw|smooth)|'"$TEXTURE"')' 'cluster.*|smooth|less|texture|texels'
     LIST='ZS_FAST_FRAME, ZS_FAST_SMOOTH,'
-    without smooth recip "^($TEXTURE)" 'clusters|solid|texture|texels'
+    without smooth recip "^($TEXTURE)" 'cluster.*|solid|texture|texels'
     LIST='ZS_FAST_FRAME, ZS_FAST_TEXTURE,'
     without texture recip '^(zs_fast_texture_|zs_shade_texture_|zs_texel|fetch_(565|pal))' \
-        'clusters|solid|smooth|texels'
+        'cluster.*|solid|smooth|texels'
     LIST=$FAST_TEXTURE
     PALETTE='zs_fast_pal|zs_texel_pal|(fetch|rows|gather|small|small_lit)_pal'
     without texture_smooth recip "^(zs_fast_texture(_flat|\$)|zs_shade_texture(_flat)?\$|$PALETTE)" \
-        'clusters|solid|smooth'
+        'cluster.*|solid|smooth'
     LIST=ZS_FAST_CLUSTERS,
     without flat recip '^(zs_fast_(touch|batch|edges)|batch_)' 'first_touch|edges|solid|smooth|less|texture|texels'
     LIST=
@@ -80,7 +80,7 @@ for c in $CPUS; do
         zs_depth_linear zs_recip_setup linear_setup linear_planes zs_solid_run zs_pose_turn zs_fast_touch \
         zs_fast_tiles zs_fast_batch zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth \
         zs_fast_texture zs_fast_texture_flat zs_fast_texture_smooth zs_fast_565 zs_fast_pal8 zs_fast_pal4 \
-        zs_fast_less cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover batch_bin \
+        zs_fast_less zs_cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover batch_bin \
         zs_camera_orbit zs_error_string zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth \
         zs_texel_565 zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 \
         fetch_wide zs_texture_run zs_texture_light zs_texture_start zs_depth_e3m13 zs_depth_e4m12 \

@@ -16,8 +16,8 @@ METHODS_MAX=${METHODS_MAX:-2200}   # ... in method/ and its public headers
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/
 FILE_MAX=${FILE_MAX:-540}          # lines of a file; the goal is 450
 FUNCTION_MAX=${FUNCTION_MAX:-64}   # lines of code of a function, from { to }; the goal is 60
-COLUMNS_MAX=${COLUMNS_MAX:-126}    # columns of a line in firmware/zstrip; the goal is 100
-COLUMNS_MANY=${COLUMNS_MANY:-22}    # ... and lines that have more
+COLUMNS_MAX=${COLUMNS_MAX:-100}    # columns of a line in firmware/zstrip
+COLUMNS_MANY=${COLUMNS_MANY:-0}    # ... and lines that have more
 ELSE_MAX=${ELSE_MAX:-126}          # columns of a line of what else is written here; the goal is 120
 ELSE_MANY=${ELSE_MANY:-1}
 

@@ -6,9 +6,9 @@
 # those that macros of its headers make.
 DESIGNATED='texture cluster mesh material pose instance light scene camera config strip sink'
 
-# DIR: firmware/zstrip's headers, of the repository in $top or here; fails where one of the structs is not found.
+# DIR [REPOSITORY]: firmware/zstrip's headers, of a repository or of this one; fails where a struct is not found.
 designated_headers() {
-    mkdir -p "$1" && to=$(cd "$1" && pwd) && (cd "${top:-.}/firmware/zstrip" && cp --parents ./*.h ./*/*.h "$to") ||
+    mkdir -p "$1" && to=$(cd "$1" && pwd) && (cd "${2:-.}/firmware/zstrip" && cp --parents ./*.h ./*/*.h "$to") ||
         return 1
     for struct in $DESIGNATED; do
         sed -i "s/^struct zs_$struct {/struct __attribute__((designated_init)) zs_$struct {/" "$1"/*.h

@@ -11,7 +11,7 @@ SAN='-fsanitize=address,undefined -fno-sanitize-recover=all'
 set -- "$build/test/zsim" "$build/test/convert"
 . tests/tools/zsim.sh
 . "$top/tests/lib/positional.sh"
-designated_headers headers || exit 1
+designated_headers headers "$top" || exit 1
 gcc -O1 -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$build/gen" "$top/tests/tools/convert/make.c" \
     "$build/libcore.a" "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
 

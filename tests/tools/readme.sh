@@ -20,7 +20,7 @@ top=$PWD
 out=$(mkdir -p "$1/test/readme" && cd "$1/test/readme" && pwd)
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 . tests/lib/positional.sh
-designated_headers "$out/headers"
+designated_headers "$out/headers" "$top"
 find . -name README.md -not -path './.git/*' -not -path '*/build/*' | sed 's/^..//' | sort >"$out/readmes"
 if command -v ccache >/dev/null; then
     REAL_GCC=$(PATH=$(echo "$PATH" | tr ':' '\n' | grep -v ccache | paste -sd :) && command -v gcc) # not ccache itself

@@ -147,8 +147,8 @@ struct problem {
 };
 
 /* Each of n texts, to a panel of its own, brings the one problem that it says. */
-static void expect_each(const char *panel, void (*feed_it)(struct pm_model *, const char *), const struct problem *cases,
-                        size_t n)
+static void expect_each(const char *panel, void (*feed_it)(struct pm_model *, const char *),
+                        const struct problem *cases, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         struct view v = open_named(panel);

@@ -145,7 +145,8 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
  * word. Return how many were filled. at is 4-byte aligned. */
 static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 {
-    register uint32_t a __asm__("r3") = value, b __asm__("r4") = value, c __asm__("r5") = value, d __asm__("r6") = value;
+    register uint32_t a __asm__("r3") = value, b __asm__("r4") = value;
+    register uint32_t c __asm__("r5") = value, d __asm__("r6") = value;
     uint32_t left = n;
     for (; left >= 16; left -= 16)
         __asm__ volatile(".syntax unified\n\t"
@@ -157,7 +158,8 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
     return n - left;
 }
 
-#elif defined(__GNUC__) && defined(__OPTIMIZE__) && (defined(__x86_64__) || defined(__aarch64__)) && !ZS_FOR_SIZE
+#elif defined(__GNUC__) && defined(__OPTIMIZE__) && !ZS_FOR_SIZE && \
+    (defined(__x86_64__) || defined(__aarch64__))
 
 /* The same with vectors of four words: 0.4 instructions a word. */
 typedef uint32_t __attribute__((vector_size(16), aligned(4), may_alias)) zs_four;
@@ -189,19 +191,23 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 /* at[k] = (sum + k step) >> 16, modulo 2^32, for k < n. n is a multiple of 8, at is 4-byte aligned.
  * Armv7-M: two at a time, from the sums of an even and an odd k, 2.4 instructions each; 1.9 if the
  * core has an instruction that combines two halves. */
-#if defined(__GNUC__) && defined(__ARM_ARCH) && __ARM_ARCH >= 7 && defined(__thumb2__) && !defined(__ARM_BIG_ENDIAN)
+#if defined(__GNUC__) && defined(__ARM_ARCH) && __ARM_ARCH >= 7 && defined(__thumb2__) && \
+    !defined(__ARM_BIG_ENDIAN)
 
 #if defined(__ARM_FEATURE_DSP)
 #define ZS_HALVES(out) "pkhtb " out ", %2, %1, asr #16\n\tadd %1, %3\n\tadd %2, %3\n\t"
 #else
-#define ZS_HALVES(out) "and " out ", %2, %4\n\torr " out ", " out ", %1, lsr #16\n\tadd %1, %3\n\tadd %2, %3\n\t"
+#define ZS_HALVES(out)                                              \
+    "and " out ", %2, %4\n\torr " out ", " out ", %1, lsr #16\n\t" \
+    "add %1, %3\n\tadd %2, %3\n\t"
 #endif
 
 static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32_t step)
 {
     uint32_t next = sum + step;
     for (uint16_t *const end = at + n; at != end;)
-        __asm__ volatile(".syntax unified\n\t" ZS_HALVES("r3") ZS_HALVES("r4") ZS_HALVES("r5") ZS_HALVES("r6")
+        __asm__ volatile(".syntax unified\n\t"
+                         ZS_HALVES("r3") ZS_HALVES("r4") ZS_HALVES("r5") ZS_HALVES("r6")
                          "stmia %0!, {r3, r4, r5, r6}"
                          : "+&r"(at), "+&r"(sum), "+&r"(next)
                          : "r"(2u * step), "r"(0xffff0000u)
@@ -214,7 +220,8 @@ static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32
 {
 #define ZS_HALF(k) (at[k] = (uint16_t)(sum >> 16), sum += step)
     for (uint16_t *const end = at + n; at != end; at += 8)
-        ZS_HALF(0), ZS_HALF(1), ZS_HALF(2), ZS_HALF(3), ZS_HALF(4), ZS_HALF(5), ZS_HALF(6), ZS_HALF(7);
+        ZS_HALF(0), ZS_HALF(1), ZS_HALF(2), ZS_HALF(3), ZS_HALF(4), ZS_HALF(5), ZS_HALF(6),
+            ZS_HALF(7);
 #undef ZS_HALF
 }
 
@@ -242,7 +249,8 @@ static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z
 
 static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
 {
-    register int32_t sum __asm__("r3"), t1 __asm__("r4"), t2 __asm__("r5"); /* ldm goes by their numbers */
+    /* ldm goes by their numbers */
+    register int32_t sum __asm__("r3"), t1 __asm__("r4"), t2 __asm__("r5");
     __asm__(".syntax unified\n\t"
             "ldmia %0!, {r3, r4, r5}\n\t"
             "muls r3, %4\n\tmuls r4, %5\n\tmuls r5, %6\n\tadds r3, r4\n\tadds r3, r5\n\t"
@@ -261,22 +269,23 @@ static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z
 static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
 {
     const int32_t low = row[0] * x + row[1] * y + row[2] * z + row[3];
-    const uint32_t high = (uint32_t)(low >> row[4]) + (uint32_t)row[5] * (uint32_t)x + (uint32_t)row[6] * (uint32_t)y +
-                          (uint32_t)row[7] * (uint32_t)z;
+    const uint32_t high = (uint32_t)(low >> row[4]) + (uint32_t)row[5] * (uint32_t)x +
+                          (uint32_t)row[6] * (uint32_t)y + (uint32_t)row[7] * (uint32_t)z;
     return (int32_t)((uint32_t)((int32_t)high >> row[8]) + (uint32_t)row[9]);
 }
 
 #endif
 
 /* Transform n > 0 points, p[3] each, by three consecutive rows; out[3] each. */
-#if ZS_ROW_WIDE && defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__)
+#if ZS_ROW_WIDE && defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && \
+    defined(__OPTIMIZE__)
 
 static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
 {
     const int32_t *const end = out + 3u * n;
-#define ZS_ROW_NEXT                                                                                      \
-    "ldm %0!, {r4, r5, r6, r8, r9, r10, r11}\n\t"                                                        \
-    "smlal r8, r9, r4, %3\n\tsmlal r8, r9, r5, %4\n\tsmlal r8, r9, r6, %5\n\t"                           \
+#define ZS_ROW_NEXT                                                            \
+    "ldm %0!, {r4, r5, r6, r8, r9, r10, r11}\n\t"                              \
+    "smlal r8, r9, r4, %3\n\tsmlal r8, r9, r5, %4\n\tsmlal r8, r9, r6, %5\n\t" \
     "lsr r8, r10\n\tlsl r9, r11\n\torr r8, r9\n\tstr r8, [%2], #4\n\t"
     do {
         int32_t x, y, z;
@@ -325,18 +334,24 @@ static inline uint32_t zs_plane_step(int32_t gx, int32_t x, int32_t gy, int32_t 
 
 /* Load two adjacent words with one instruction, exactly here: for a scanline loop that is short of
  * registers, where the compiler would keep these values in registers and spill others. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__) && !ZS_FOR_SIZE
+#if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__) && \
+    !ZS_FOR_SIZE
 
 /* Load p[at] and p[at + 1]; at is a constant, because a computed address would take a register. */
-static inline __attribute__((always_inline)) void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
+static inline __attribute__((always_inline)) void zs_two(const uint32_t *p, int at, uint32_t *a,
+                                                         uint32_t *b)
 {
-    __asm__ volatile("ldrd %0, %1, [%2, %3]" : "=&r"(*a), "=r"(*b) : "r"(p), "n"(4 * at) : "memory");
+    __asm__ volatile("ldrd %0, %1, [%2, %3]"
+                     : "=&r"(*a), "=r"(*b)
+                     : "r"(p), "n"(4 * at)
+                     : "memory");
 }
 
 /* Load x[0] and x[1] with one instruction. */
 static inline void zs_xy(const int32_t *x, int32_t *a, int32_t *b)
 {
-    __asm__("ldrd %0, %1, %2" : "=&r"(*a), "=r"(*b) : "Q"(*(const struct { int32_t word[2]; } *)(const void *)x));
+    const struct pair { int32_t word[2]; } *const pair = (const void *)x;
+    __asm__("ldrd %0, %1, %2" : "=&r"(*a), "=r"(*b) : "Q"(*pair));
 }
 
 /* v >> 16, computed here and not earlier. */
@@ -391,10 +406,10 @@ static inline void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
 #define ZS_OVER_16(v) (((uint32_t)(v) + 0x8000u) & 0xffff0000u)
 #endif
 
-/* Set at[0] and at[1] to the vertex a = { x, y }, the others to b and c from it, modulo 2^32. Return
- * twice the area of the triangle, (b - a) x (c - a). *wide becomes not 0 if one of the differences
- * does not fit 16 bits; the result is then undefined. Otherwise |result| < 2^31: both products are at
- * most 2^30, and if both are 2^30, they have the same sign. */
+/* Set at[0] and at[1] to the vertex a = { x, y }, the others to b and c from it, modulo 2^32.
+ * Return twice the area of the triangle, (b - a) x (c - a). *wide becomes not 0 if one of the
+ * differences does not fit 16 bits; the result is then undefined. Otherwise |result| < 2^31: both
+ * products are at most 2^30, and if both are 2^30, they have the same sign. */
 static inline int32_t zs_area_short(int32_t at[6], const int32_t *a, const int32_t *b,
                                     const int32_t *c, uint32_t *wide)
 {

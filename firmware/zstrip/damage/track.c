@@ -393,8 +393,8 @@ static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i
 {
     const struct zs_renderer *r = job->r;
     const int32_t from = zs_max32(i0, r->window[0]), to = zs_min32(i1, r->window[1]);
-    job->r->stats.pixels_tested -=
-        (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* zs_rows_walk has counted them */
+    /* zs_rows_walk has counted them */
+    job->r->stats.pixels_tested -= (uint32_t)(i1 - i0 - zs_max32(to - from, 0));
     if (from >= to)
         return;
     sum += zs_wrap_mul(step, from - i0);

@@ -54,8 +54,8 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     view->key_top = ((1u << bits) - 1u) << 16;
     view->key_mantissa = (uint8_t)(bits - exponent_bits);
     view->key_octaves = (uint8_t)((1u << exponent_bits) - 1u);
-    const int lz = zs_clz64(
-        (uint64_t)camera->z_near); /* near = key_mul / 2^key_shift camera units */
+    /* near = key_mul / 2^key_shift camera units */
+    const int lz = zs_clz64((uint64_t)camera->z_near);
     view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
     view->key_shift = lz - 16 - view->shift;
     view->key_lz = view->key_octaves - 1 - view->key_shift;
@@ -66,8 +66,8 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     view->piece_shift = (uint8_t)(view->key_mantissa + 16);
     view->key_far = 0;
     view->key_slow = (1u << (view->key_mantissa + 16)) - 1u;
-    view->key_known = view->key_top + 0xffffu -
-                      (2u << (view->key_mantissa + 16)); /* all but the last octave */
+    /* all but the last octave */
+    view->key_known = view->key_top + 0xffffu - (2u << (view->key_mantissa + 16));
     return ZS_OK;
 }
 
@@ -114,13 +114,13 @@ static ZS_RARE ZS_NOINLINE uint32_t last_vertex(const struct zs_view *view, uint
     if (octave > last)
         return 0; /* at near, up to the rounding of z */
     const int32_t shift = 31 - m + (octave < 1 ? 1 - octave : 0);
-    const uint32_t last_key = view->key_top +
-                              (view->key_top < 0xffff0000u ? 0xffffu : 0u); /* 16 bits: no room */
+    /* 16 bits: no room */
+    const uint32_t last_key = view->key_top + (view->key_top < 0xffff0000u ? 0xffffu : 0u);
     if (shift > 31)
         return last_key;
     const uint32_t code = ((p >> (shift - 1)) + 1u) >> 1; /* 2 <= shift */
-    if (code <= view->key_top + 0x10000u - last_key &&
-        octave < last) /* the right side is modulo 2^32: 1 or 2^16 */
+    /* the right side is modulo 2^32: 1 or 2^16 */
+    if (code <= view->key_top + 0x10000u - last_key && octave < last)
         return last_key;
     return view->key_top + 0x10000u - code; /* modulo 2^32: 0 where code came to 2^32 */
 }
@@ -151,8 +151,8 @@ static inline int32_t octave_of(const struct zs_view *view, uint32_t key)
 /* Return the mantissa of a key, in (0, 2^(m+1)]; r is proportional to mantissa * 2^octave. */
 static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int32_t octave)
 {
-    return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) +
-           1u; /* <= 2^30 */
+    /* <= 2^30 */
+    return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) + 1u;
 }
 
 /* float_inverses for vertices in several octaves. */
@@ -185,8 +185,8 @@ static void float_inverses(const struct zs_view *view, const struct zs_vertex *c
         octaves_inverses(view, d, o, w);
         return;
     }
-    const uint32_t mantissa = mantissa_of(
-        view, nearest, o); /* 1 .. 2^30; less for the others, as d is more */
+    /* 1 .. 2^30; less for the others, as d is more */
+    const uint32_t mantissa = mantissa_of(view, nearest, o);
     const int32_t up = zs_clz32(mantissa) - 1;
     for (int k = 0; k < 3; k++)
         w[k] = (mantissa - (d[k] - nearest)) << up;
@@ -237,8 +237,8 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
     if (job->two_octaves)
         return 0;
     for (int k = 0; k < 3; k++) {
-        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) -
-                           (nearest - octave[k]); /* -19 .. 19 */
+        /* -19 .. 19 */
+        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);
         w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]),
                                    up); /* <= 2^39 */
     }

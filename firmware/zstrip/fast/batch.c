@@ -329,8 +329,8 @@ static ZS_NOINLINE uint32_t list(const struct sweep *s, const uint16_t (*tri)[3]
     return (uint32_t)(out - left);
 }
 
-/* Bin triangles [from, end) in batches. Return the triangle that it reached: one that is a slow case,
- * or for which a pool is full. */
+/* Bin triangles [from, end) in batches. Return the triangle that it reached: one that is a slow
+ * case, or for which a pool is full. */
 static ZS_NOINLINE uint32_t by_batches(struct sweep *s, uint32_t from, uint32_t end)
 {
     struct zs_renderer *r = s->r;

@@ -68,8 +68,8 @@ static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t fr
                                        struct side *left, struct side *right)
 {
     for (struct zs_cut *const end = cut + n; cut != end; cut++) {
-        ZS_FACT(left->span >= ZS_SUBPX_ONE &&
-                right->span >= ZS_SUBPX_ONE); /* a horizontal edge has no rows */
+        /* a horizontal edge has no rows */
+        ZS_FACT(left->span >= ZS_SUBPX_ONE && right->span >= ZS_SUBPX_ONE);
         cut->x0 = (int16_t)(from + (int32_t)(left->sum / left->span));
         cut->x1 = (int16_t)(from + (int32_t)(right->sum / right->span));
         left->sum += left->step;

@@ -22,8 +22,8 @@ int zs_parts_whole(const struct zs_renderer *r);
  * if there is none before `end`. */
 uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end, uint32_t n);
 /* Note the rows of n triangles of one part, which begins at triangle `from` or before it. The k-th
- * of them has the vertices pool[tri[left[k] / 4]]; with left[k] & 2 it may have a vertex number that
- * is out of range, or vertices that are not on the screen. */
+ * of them has the vertices pool[tri[left[k] / 4]]; with left[k] & 2 it may have a vertex number
+ * that is out of range, or vertices that are not on the screen. */
 void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
                    const uint16_t (*tri)[3], const uint8_t *left, uint32_t n);
 

@@ -50,8 +50,8 @@ static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
         return (key < 0x8000u - (uint32_t)add ? 0u
                                               : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >>
                16;
-    return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >>
-           16; /* no carry: key < 2^32 - 2^17 */
+    /* no carry: key < 2^32 - 2^17 */
+    return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16;
 }
 
 /* ---- Bounds ---------------------------------------------------------------------------------- */

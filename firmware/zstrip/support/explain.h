@@ -54,7 +54,7 @@ int zs_explain_unseen(struct zs_explainer *e, uint32_t i, struct zs_seen *seen);
 void zs_explain_fate(struct zs_explainer *e, uint32_t i);
 /* Say what is wrong with the numbers of instance i. seen 0: zs_explain_unseen was called for it. */
 void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen);
-/* Say what is wrong with its mesh and its texture; mesh, texture: 1 if no instance before has it. */
+/* Say what is wrong with its mesh and texture; mesh, texture: 1 if no instance before has it. */
 void zs_explain_mesh(struct zs_explainer *e, uint32_t i, int mesh, int texture);
 /* Say that the camera's angles were typed as degrees. */
 void zs_explain_camera_turned(struct zs_explainer *e);

@@ -1,9 +1,10 @@
-/* clusters.c: what each cluster is asked. That the margins hold is facts.c's.
+/* clusters.c and cluster_setup.c: what each cluster is asked. That the margins hold is facts.c's.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "prove.h"
 
+#include "fast/cluster_setup.c"
 #include "fast/clusters.c"
 
 static struct zs_renderer renderer;
@@ -28,9 +29,9 @@ static void any_cluster(void)
  * of cone: no product beyond 32 or 64 bits */
 void turned(void)
 {
-    for (int32_t shift = 0; shift <= EYE_SHIFT_MAX + 1; shift++) {
+    for (int32_t shift = 0; shift <= ZS_EYE_SHIFT_MAX + 1; shift++) {
         any_cluster();
-        kept.eye_shift = (uint8_t)(shift > EYE_SHIFT_MAX ? 31 : shift);
+        kept.eye_shift = (uint8_t)(shift > ZS_EYE_SHIFT_MAX ? 31 : shift);
         for (int k = 0; k < 3; k++)
             kept.eye[k] = any_i32(-(1 << 16), 1 << 16);
         kept.margin = any_u32(0, UINT32_MAX);
