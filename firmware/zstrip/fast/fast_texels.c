@@ -24,8 +24,8 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
     const void *texel = t->texel;
     const uint16_t *palette = t->palette;
     const uint32_t right = 32u - t->log2_w, down = 32u - t->log2_h, log2_w = t->log2_w;
-    const uintptr_t beside = (uintptr_t)job->color -
-                             (uintptr_t)job->depth; /* bytes from a key to its colour */
+    /* bytes from a key to its colour */
+    const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth;
     uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx, tested = 0;
     int32_t written = 0, y = job->row;
     zs_plane_origin(&job->geom, &job->key);
@@ -73,8 +73,8 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
 ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w,
                             zs_read_fn *read, int lit)
 {
-    const uintptr_t beside = (uintptr_t)job->color -
-                             (uintptr_t)job->depth; /* bytes from a key to its colour */
+    /* bytes from a key to its colour */
+    const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth;
     const uint32_t pitch = w->sides.down[0];
     const void *const texel = t->texel;
     const uint16_t *const palette = t->palette;

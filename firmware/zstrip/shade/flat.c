@@ -10,8 +10,8 @@
 /* Return a lit channel as a code, 0 .. most, rounded to nearest. most <= 63 */
 static ZS_AS_CALL uint32_t code(uint8_t channel, uint32_t light, uint32_t most)
 {
-    const uint32_t t = zs_light_channel(channel, light) * most +
-                       0x8000u; /* < 2^22; t / 65535 by two shifts */
+    /* < 2^22; t / 65535 by two shifts */
+    const uint32_t t = zs_light_channel(channel, light) * most + 0x8000u;
     return (t + (t >> 16)) >> 16;
 }
 

@@ -14,8 +14,8 @@ uint32_t zs_light_intensity(const struct zs_shading *s, const zs_q1_15 n[3])
     int32_t high = 0; /* the product is high * 2^16 + low, q19_45, |.| < 2^46.6 */
     uint32_t low = 0; /* < 3 * 2^16 */
     for (int k = 0; k < 3; k++) {
-        const int32_t l =
-            s->dir[k]; /* q2_30, |.| < 2^31: up to sqrt 3 if dir is no unit vector */
+        /* q2_30, |.| < 2^31: up to sqrt 3 if dir is no unit vector */
+        const int32_t l = s->dir[k];
         const int32_t part = (int32_t)((uint32_t)l & 0xffffu) * n[k]; /* |.| < 2^31 */
         high += (l >> 16) * n[k] + (part >> 16);                      /* |.| < 2^30.6 */
         low += (uint32_t)part & 0xffffu;
