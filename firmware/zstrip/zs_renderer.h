@@ -237,8 +237,8 @@ struct zs_renderer {
     struct zs_camera camera;   /* a copy; a rotation of zeros has been replaced by the identity */
     struct zs_light light;     /* the scene's, or the usual light */
     struct zs_stats stats;
-    const struct zs_watch_kernel *watch; /* zs_damage_compare; NULL: off, every column counts as
-                                     changed */
+    /* zs_damage_compare; NULL: off, every column counts as changed */
+    const struct zs_strip_hash_kernel *strip_hash;
     struct zs_strip_hashes *sums; /* [n_strips][columns] hashes of what the panel shows; 0: not
                                      known */
     uint16_t draw_end;            /* no strip from this one on is dirty */

@@ -125,9 +125,9 @@ static int count_sphere(struct zs_renderer *r, const struct zs_bounds *b)
     return did(TILES, known[TILES].fast->tiles->hides_sphere(r, b));
 }
 
-static uint32_t count_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate, uint32_t *piece)
+static uint32_t count_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *outcome, uint32_t *piece)
 {
-    const uint32_t to = known[BATCH].fast->batch->bin(r, from, end, fate, piece);
+    const uint32_t to = known[BATCH].fast->batch->bin(r, from, end, outcome, piece);
     (void)did(BATCH, to > from);
     return to;
 }

@@ -146,7 +146,7 @@ static struct {
     struct zs_config config;
 } world;
 
-/* The eye is among what it sees: all fates are met. Of two instances in one place, keys are equal. */
+/* The eye is among what it sees: all outcomes are met. Of two instances in one place, keys are equal. */
 static void world_open(struct prng *p, int clusters)
 {
     static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth };

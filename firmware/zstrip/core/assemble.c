@@ -20,8 +20,8 @@ int zs_assemble_culled(int64_t area, uint32_t cull)
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
 
-enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool,
-                             struct zs_candidate *at)
+enum zs_outcome zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool,
+                                struct zs_candidate *at)
 {
     int32_t x0 = INT32_MAX, x1 = INT32_MIN, y1 = INT32_MIN, first = 0;
     const struct zs_vertex *top = &pool[at->slot[0]];
@@ -47,63 +47,63 @@ enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex
     at->y1 = zs_first_sample(y1);
     if (x1 <= r->walk_x || x0 >= r->walk_end || at->y1 <= r->walk_y ||
         at->y0 >= r->walk_y_end)
-        return ZS_FATE_OFFSCREEN;
-    return x0 >= x1 || at->y0 >= at->y1 ? ZS_FATE_EMPTY : ZS_FATE_DRAWN;
+        return ZS_OUTCOME_OFFSCREEN;
+    return x0 >= x1 || at->y0 >= at->y1 ? ZS_OUTCOME_EMPTY : ZS_OUTCOME_DRAWN;
 }
 
-/* Fetch a triangle's vertices, in clockwise order. Return ZS_FATE_OPEN if the triangle is to be
+/* Fetch a triangle's vertices, in clockwise order. Return ZS_OUTCOME_OPEN if the triangle is to be
  * drawn, else its outcome; a triangle that has to be clipped is done here (zs_fan_bin). */
-static enum zs_fate fetch(struct zs_renderer *r, uint32_t t, struct zs_candidate *at,
-                          uint32_t *piece)
+static enum zs_outcome fetch(struct zs_renderer *r, uint32_t t, struct zs_candidate *at,
+                             uint32_t *piece)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint16_t *index = mesh->tri[t];
     uint32_t *const slot = at->slot;
     for (int k = 0; k < 3; k++)
         if (index[k] >= mesh->n_verts)
-            return ZS_FATE_INDEX;
+            return ZS_OUTCOME_INDEX;
     if (index[0] == index[1] && index[0] == index[2])
-        return ZS_FATE_ZERO; /* even if it is outside the view */
+        return ZS_OUTCOME_ZERO; /* even if it is outside the view */
     if (!zs_bin_corners(r, index, slot))
-        return ZS_FATE_FULL;
+        return ZS_OUTCOME_FULL;
     const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
     if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT) {
         const uint32_t all = a->d & b->d & c->d; /* above ZS_D_OUT: the outcodes share a bit */
-        return all > ZS_D_OUT ? zs_fate_outside(all) : zs_fan_bin(r, t, piece);
+        return all > ZS_D_OUT ? zs_outcome_outside(all) : zs_fan_bin(r, t, piece);
     }
     const int64_t area = zs_assemble_area(a, b, c);
     if (area == 0)
-        return ZS_FATE_ZERO;
+        return ZS_OUTCOME_ZERO;
     if (area < 0) {
         const uint32_t first = slot[0];
         slot[0] = slot[2];
         slot[2] = first;
     }
-    return zs_assemble_culled(area, r->xform.cull) ? ZS_FATE_FACING : ZS_FATE_OPEN;
+    return zs_assemble_culled(area, r->xform.cull) ? ZS_OUTCOME_FACING : ZS_OUTCOME_OPEN;
 }
 
-ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint32_t *piece)
+ZS_NOINLINE enum zs_outcome zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint32_t *piece)
 {
     const struct zs_shader *shader = r->xform.instance->material->shader;
     struct zs_candidate at;
     if (*piece)
         return zs_fan_bin(r, t, piece);
-    enum zs_fate fate = fetch(r, t, &at, piece);
-    if (fate != ZS_FATE_OPEN)
-        return fate;
+    enum zs_outcome outcome = fetch(r, t, &at, piece);
+    if (outcome != ZS_OUTCOME_OPEN)
+        return outcome;
     if (ZS_IF_FAST(r->tiles))
         r->tiles->cover(r, &r->vert[at.slot[0]], &r->vert[at.slot[1]], &r->vert[at.slot[2]]);
-    fate = zs_assemble_box(r, r->vert, &at);
-    const uint32_t strip = fate == ZS_FATE_DRAWN ? zs_bin_place(r, at.y0, at.y1) : ZS_NIL;
+    outcome = zs_assemble_box(r, r->vert, &at);
+    const uint32_t strip = outcome == ZS_OUTCOME_DRAWN ? zs_bin_place(r, at.y0, at.y1) : ZS_NIL;
     if (strip == ZS_NIL) {
-        if (fate == ZS_FATE_DRAWN)
+        if (outcome == ZS_OUTCOME_DRAWN)
             zs_bin_below(r, at.y0);
-        return fate;
+        return outcome;
     }
     if (r->n_tris == r->config.max_tris)
-        return ZS_FATE_FULL;
+        return ZS_OUTCOME_FULL;
     for (int k = 0; k < 3 && shader->vertex; k++)
         zs_bin_corner(r, at.slot[k], r->config.varyings);
     zs_bin_add(r, at.slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
-    return ZS_FATE_DRAWN;
+    return ZS_OUTCOME_DRAWN;
 }

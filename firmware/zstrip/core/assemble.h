@@ -10,11 +10,11 @@
 
 /* The outcome of assembly: drawn, or the reason of the reject. */
 /* clang-format off: a table */
-enum zs_fate {
-    ZS_FATE_DRAWN, ZS_FATE_OFFSCREEN, ZS_FATE_FACING, ZS_FATE_ZERO, ZS_FATE_EMPTY,
-    ZS_FATE_NEAR, ZS_FATE_FAR, ZS_FATE_INDEX, ZS_FATES,
-    ZS_FATE_OPEN = ZS_FATES, /* not decided yet */
-    ZS_FATE_FULL /* a pool is full. Nothing was binned, or only the first pieces of a clipped
+enum zs_outcome {
+    ZS_OUTCOME_DRAWN, ZS_OUTCOME_OFFSCREEN, ZS_OUTCOME_FACING, ZS_OUTCOME_ZERO, ZS_OUTCOME_EMPTY,
+    ZS_OUTCOME_NEAR, ZS_OUTCOME_FAR, ZS_OUTCOME_INDEX, ZS_OUTCOMES,
+    ZS_OUTCOME_OPEN = ZS_OUTCOMES, /* not decided yet */
+    ZS_OUTCOME_FULL /* a pool is full. Nothing was binned, or only the first pieces of a clipped
                     triangle */
 };
 /* clang-format on */
@@ -28,9 +28,11 @@ struct zs_candidate {
 };
 
 /* The reason why a triangle is outside the view, from the outcode bits that its vertices share. */
-static inline enum zs_fate zs_fate_outside(uint32_t all)
+static inline enum zs_outcome zs_outcome_outside(uint32_t all)
 {
-    return all & ZS_OUT_NEAR ? ZS_FATE_NEAR : all & ZS_OUT_FAR ? ZS_FATE_FAR : ZS_FATE_OFFSCREEN;
+    return all & ZS_OUT_NEAR  ? ZS_OUTCOME_NEAR
+           : all & ZS_OUT_FAR ? ZS_OUTCOME_FAR
+                              : ZS_OUTCOME_OFFSCREEN;
 }
 
 /* Return twice the signed area, q_16 px^2; positive if a, b, c are clockwise on the screen (y
@@ -40,18 +42,18 @@ int64_t zs_assemble_area(const struct zs_vertex *a, const struct zs_vertex *b,
 /* Return 1 if a triangle with this signed area is culled by its facing. cull: zs_xform.cull */
 int zs_assemble_culled(int64_t area, uint32_t cull);
 /* Test the bounding box of a projected triangle against the rows and columns that are drawn; slots
- * index `pool`. Return ZS_FATE_DRAWN if the box holds a sample, ZS_FATE_OFFSCREEN or
- * ZS_FATE_EMPTY if not. */
-enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool,
-                             struct zs_candidate *at);
+ * index `pool`. Return ZS_OUTCOME_DRAWN if the box holds a sample, ZS_OUTCOME_OFFSCREEN or
+ * ZS_OUTCOME_EMPTY if not. */
+enum zs_outcome zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool,
+                                struct zs_candidate *at);
 /* Assemble and bin triangle t. *piece is the next piece of the fan of a clipped triangle; it is 0
  * before the first call and after the triangle is done. */
-typedef enum zs_fate zs_assemble_fn(struct zs_renderer *r, uint32_t t, uint32_t *piece);
+typedef enum zs_outcome zs_assemble_fn(struct zs_renderer *r, uint32_t t, uint32_t *piece);
 zs_assemble_fn zs_assemble_tri;
 
 /* ---- fan.c: a triangle that is clipped at near, far or the guard band, in pieces ------------- */
 
 /* As zs_assemble_tri, for a triangle that has to be clipped. */
-enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *piece);
+enum zs_outcome zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *piece);
 
 #endif

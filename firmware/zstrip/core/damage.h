@@ -12,7 +12,7 @@ struct zs_row;
 
 /* Comparison of finished strips with what the panel shows (damage/strip_sums.c). It is linked if
  * the program calls zs_damage_compare. */
-struct zs_watch_kernel {
+struct zs_strip_hash_kernel {
     /* Compare the strip's hashes with the panel's; set dirty_x and dirty_w. */
     void (*look)(struct zs_renderer *r, struct zs_strip *out);
     /* Drop the hashes in a rectangle, so that it counts as changed. NULL: the whole frame. */

@@ -115,8 +115,8 @@ static ZS_RARE void piece_push(struct zs_renderer *r, const struct polygon *p,
 }
 
 /* Bin the pieces of a polygon from *piece on; those before it are binned already. */
-static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t,
-                                        int sense, uint32_t *piece)
+static ZS_RARE enum zs_outcome polygon_bin(struct zs_renderer *r, const struct polygon *p,
+                                           uint32_t t, int sense, uint32_t *piece)
 {
     const struct zs_material *material = r->xform.instance->material;
     const struct zs_shader *shader = material->shader;
@@ -125,20 +125,20 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
     const int64_t area = fan_corner(p, sense, around, &fan);
     const int back = area < 0; /* then the corners of each piece are listed in reverse order */
     if (area == 0)
-        return ZS_FATE_ZERO;
+        return ZS_OUTCOME_ZERO;
     if (zs_assemble_culled(area, r->xform.cull))
-        return ZS_FATE_FACING;
+        return ZS_OUTCOME_FACING;
     const uint16_t paint = shader->face ? shader->face(&r->shading, t) : 0u;
-    enum zs_fate all = ZS_FATE_EMPTY;
+    enum zs_outcome all = ZS_OUTCOME_EMPTY;
     for (int k = 1; k + 1 < p->n; k++) {
         const int64_t piece_size = piece_area(p, fan, k);
         if (back ? piece_size >= 0 : piece_size <= 0)
             continue;
         struct zs_candidate at = { { fan[back ? k + 1 : 0], fan[k], fan[back ? 0 : k + 1] }, 0, 0 };
-        const enum zs_fate fate = zs_assemble_box(r, p->v, &at);
-        if (all != ZS_FATE_DRAWN)
-            all = fate;
-        if (fate != ZS_FATE_DRAWN || (uint32_t)k < *piece)
+        const enum zs_outcome outcome = zs_assemble_box(r, p->v, &at);
+        if (all != ZS_OUTCOME_DRAWN)
+            all = outcome;
+        if (outcome != ZS_OUTCOME_DRAWN || (uint32_t)k < *piece)
             continue;
         if (ZS_IF_FAST(r->tiles))
             r->tiles->cover(r, &p->v[at.slot[0]], &p->v[at.slot[1]], &p->v[at.slot[2]]);
@@ -147,7 +147,7 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
             continue;
         if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts) {
             *piece = (uint32_t)k;
-            return ZS_FATE_FULL;
+            return ZS_OUTCOME_FULL;
         }
         piece_push(r, p, &at, paint, strip);
     }
@@ -155,7 +155,7 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
     return all;
 }
 
-ZS_RARE enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *piece)
+ZS_RARE enum zs_outcome zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *piece)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const struct zs_shader *shader = r->xform.instance->material->shader;
@@ -171,7 +171,7 @@ ZS_RARE enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *pie
         all &= code;
     }
     if (all)
-        return zs_fate_outside(all);
+        return zs_outcome_outside(all);
     if (r->counting && *piece == 0)
         r->stats.tris_clipped++;
     const int sense = sense_of(&r->view, p.cv);
@@ -181,10 +181,10 @@ ZS_RARE enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *pie
     if (p.n && sides) {
         p.n = zs_clip_polygon(&r->view, p.cv, p.n, sides, shader->n_varyings);
         if (!p.n)
-            return ZS_FATE_OFFSCREEN;
+            return ZS_OUTCOME_OFFSCREEN;
     }
     if (!p.n)
-        return any & ZS_OUT_NEAR ? ZS_FATE_NEAR : ZS_FATE_FAR;
+        return any & ZS_OUT_NEAR ? ZS_OUTCOME_NEAR : ZS_OUTCOME_FAR;
     polygon_project(r, &p);
     return polygon_bin(r, &p, t, sense, piece);
 }

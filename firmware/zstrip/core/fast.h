@@ -78,10 +78,10 @@ struct zs_fast_batch {
     /* Called before the triangles of an instance are binned: set r->batched if `bin` does it. If
      * the pool has room for all its vertices, transform them and set r->direct. */
     void (*open)(struct zs_renderer *r);
-    /* Bin triangles [from, end) if r->batched is set, and count their outcomes in fate[]. Return
+    /* Bin triangles [from, end) if r->batched is set, and count their outcomes in outcome[]. Return
      * the triangle that it reached; less than end if a pool is full. *piece is that triangle's, as
      * in zs_assemble_tri. */
-    uint32_t (*bin)(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate,
+    uint32_t (*bin)(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *outcome,
                     uint32_t *piece);
     /* A pool was full at triangle t of the current instance; there is room again. */
     void (*full)(struct zs_renderer *r, uint32_t t);

@@ -152,7 +152,7 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
         r->vert_map[v] = r->vert_src[v] = 0; /* any value is correct: entries are checked */
     const struct zs_stats none = { 0 };
     r->stats = none;
-    r->watch = 0;
+    r->strip_hash = 0;
     r->track = 0;
     r->window[0] = 0;
     r->window[1] = config->width;
@@ -334,9 +334,9 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->depth = r->depth;
     out->dirty_x = draw ? r->window[0] : 0u;
     out->dirty_w = draw ? (uint16_t)(r->window[1] - r->window[0]) : 0u;
-    const struct zs_watch_kernel *watch = r->watch;
-    if (watch && draw)
-        watch->look(r, out);
+    const struct zs_strip_hash_kernel *strip_hash = r->strip_hash;
+    if (strip_hash && draw)
+        strip_hash->look(r, out);
     uint16_t *const given = r->color[0];
     r->color[0] = r->color[1];
     r->color[1] = given;
@@ -382,9 +382,9 @@ int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
         return ZS_ERR_NULL;
     if (r->ready != 1)
         return ZS_ERR_SEQUENCE;
-    const struct zs_watch_kernel *watch = r->watch;
-    if (watch)
-        watch->forget(r, rect);
+    const struct zs_strip_hash_kernel *strip_hash = r->strip_hash;
+    if (strip_hash)
+        strip_hash->forget(r, rect);
     const struct zs_track_kernel *track = r->track;
     if (track)
         track->forget(r, rect);

@@ -38,15 +38,14 @@ struct zs_plane64 {
 };
 
 /* Two classes of size, which decide how gradients are computed (plane.c). */
-#define ZS_SMALL_EXTENT                                                                            \
-    (256 * ZS_SUBPX_ONE) /* small: width + height up to this; one reciprocal of the area is exact  \
-                            enough */
-#define ZS_TINY (64 * ZS_SUBPX_ONE) /* tiny: |dx| and dy from the top vertex up to this; 32-bit    \
-                                       products suffice. Most triangles are tiny */
-#define ZS_TINY_AREA (1 << 13)      /* ... and the area is at least this; see plane.c */
-#define ZS_TINY_SIDE                                                                               \
-    (ZS_TINY / ZS_SUBPX_ONE +                                                                      \
-     1) /* pixels: the columns of a tiny triangle are no further from its top vertex */
+/* small: width + height up to this; one reciprocal of the area is exact enough */
+#define ZS_SMALL_EXTENT (256 * ZS_SUBPX_ONE)
+/* tiny: |dx| and dy from the top vertex up to this, and the area is at least that (see plane.c);
+ * 32-bit products suffice. Most triangles are tiny */
+#define ZS_TINY (64 * ZS_SUBPX_ONE)
+#define ZS_TINY_AREA (1 << 13)
+/* pixels: the columns of a tiny triangle are no further from its top vertex */
+#define ZS_TINY_SIDE (ZS_TINY / ZS_SUBPX_ONE + 1)
 
 /* Return 1 if the differences from the top vertex are those of a tiny triangle. dy >= 0, so that
  * one comparison tests both bounds of dx. */
@@ -71,8 +70,7 @@ struct zs_geom {
     int32_t ax, ay; /* ... and its sample minus the first vertex, q24_8 */
     uint32_t rcp;   /* small: 2^63 / mantissa of area; 0: large, gradients are divided */
     int32_t exp;    /* area ~ mantissa * 2^exp, mantissa in [2^31, 2^32) */
-    int32_t
-        tiny; /* 1: the four differences are at most ZS_TINY, the area is at least ZS_TINY_AREA */
+    int32_t tiny;   /* 1: the differences are at most ZS_TINY, the area is at least ZS_TINY_AREA */
 };
 
 /* Draw pixels [i0, i1) of a scanline, on which keys are linear: the key is sum / 65536, with half a

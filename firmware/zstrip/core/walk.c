@@ -22,21 +22,21 @@
 struct cursor {
     uint32_t instance, tri, piece;
     uint8_t open;            /* 1: the instance's triangles are being binned; tri is the next one */
-    uint32_t fate[ZS_FATES]; /* the instance's triangles so far, counted by outcome */
+    uint32_t outcome[ZS_OUTCOMES]; /* the instance's triangles so far, counted by outcome */
 };
 
 /* Add an instance's counts to the statistics. */
-static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
+static ZS_RARE void count(struct zs_renderer *r, const uint32_t outcome[ZS_OUTCOMES])
 {
-#define COUNTS(fate_, field) [fate_] = offsetof(struct zs_stats, field)
-    static const uint8_t at[ZS_FATES] = {
-        COUNTS(ZS_FATE_DRAWN, tris_drawn),   COUNTS(ZS_FATE_OFFSCREEN, tris_offscreen),
-        COUNTS(ZS_FATE_FACING, tris_facing), COUNTS(ZS_FATE_ZERO, tris_zero),
-        COUNTS(ZS_FATE_EMPTY, tris_empty),   COUNTS(ZS_FATE_NEAR, tris_near),
-        COUNTS(ZS_FATE_FAR, tris_far),       COUNTS(ZS_FATE_INDEX, tris_index)
+#define COUNTS(outcome_, field) [outcome_] = offsetof(struct zs_stats, field)
+    static const uint8_t at[ZS_OUTCOMES] = {
+        COUNTS(ZS_OUTCOME_DRAWN, tris_drawn),   COUNTS(ZS_OUTCOME_OFFSCREEN, tris_offscreen),
+        COUNTS(ZS_OUTCOME_FACING, tris_facing), COUNTS(ZS_OUTCOME_ZERO, tris_zero),
+        COUNTS(ZS_OUTCOME_EMPTY, tris_empty),   COUNTS(ZS_OUTCOME_NEAR, tris_near),
+        COUNTS(ZS_OUTCOME_FAR, tris_far),       COUNTS(ZS_OUTCOME_INDEX, tris_index)
     };
-    for (int k = 0; k < ZS_FATES && r->counting; k++)
-        *(uint32_t *)(void *)((uint8_t *)&r->stats + at[k]) += fate[k];
+    for (int k = 0; k < ZS_OUTCOMES && r->counting; k++)
+        *(uint32_t *)(void *)((uint8_t *)&r->stats + at[k]) += outcome[k];
 }
 
 /* Cull an instance, or set r->xform for it. Return 0 if it is culled, or if no strip that it can
@@ -109,8 +109,8 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
     }
     if (!seen)
         return 0;
-    for (uint32_t k = 0; k < ZS_FATES; k++)
-        at->fate[k] = 0;
+    for (uint32_t k = 0; k < ZS_OUTCOMES; k++)
+        at->outcome[k] = 0;
     r->vert_base = r->n_verts;
     r->direct = r->batched = 0;
     if (ZS_IF_FAST(r->batch) && !r->xform.instance->material->primitive)
@@ -129,21 +129,21 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
     zs_assemble_fn *const assemble = primitive ? primitive->ops->assemble : zs_assemble_tri;
     do {
         if (ZS_IF_FAST(r->batched)) {
-            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate, &at->piece);
+            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->outcome, &at->piece);
             if (at->tri < r->clusters.end)
                 return 0;
         }
         for (; at->tri < r->clusters.end; at->tri++) {
-            const enum zs_fate fate = assemble(r, at->tri, &at->piece);
-            if (fate == ZS_FATE_FULL)
+            const enum zs_outcome outcome = assemble(r, at->tri, &at->piece);
+            if (outcome == ZS_OUTCOME_FULL)
                 return 0;
-            at->fate[fate]++;
+            at->outcome[outcome]++;
         }
         if (!next_run(r))
             break;
         at->tri = r->clusters.from;
     } while (1);
-    count(r, at->fate);
+    count(r, at->outcome);
     return 1;
 }
 

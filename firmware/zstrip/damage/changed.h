@@ -29,7 +29,7 @@ static inline void zs_mix(uint32_t lane[2], uint32_t v)
 
 /* The width of a cell of zs_damage_compare, px. It is even if the frame's width is, so that cells
  * begin at even addresses. */
-static inline uint32_t zs_watch_step(const struct zs_renderer *r)
+static inline uint32_t zs_strip_hash_step(const struct zs_renderer *r)
 {
     const uint32_t w = (r->config.width + r->sums->columns - 1u) / r->sums->columns;
     return r->config.width & 1u ? w : (w + 1u) & ~1u;

@@ -23,9 +23,9 @@ static uint64_t cell_sum(const uint16_t *px, uint32_t w, uint32_t h, uint32_t st
     return sum ? sum : 1u; /* 0: not known */
 }
 
-static void watch_look(struct zs_renderer *r, struct zs_strip *out)
+static void strip_hash_look(struct zs_renderer *r, struct zs_strip *out)
 {
-    const uint32_t step = zs_watch_step(r), row = out->y / (uint32_t)r->config.strip_h;
+    const uint32_t step = zs_strip_hash_step(r), row = out->y / (uint32_t)r->config.strip_h;
     uint64_t *sum = r->sums->sum + row * r->sums->columns;
     uint32_t first = out->w, end = 0;
     for (uint32_t x = 0; x < out->w; x += step, sum++) {
@@ -45,9 +45,9 @@ static void watch_look(struct zs_renderer *r, struct zs_strip *out)
     r->stats.strips_clean += !end;
 }
 
-static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
+static void strip_hash_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
-    const uint32_t step = zs_watch_step(r);
+    const uint32_t step = zs_strip_hash_step(r);
     for (uint32_t s = 0; s < r->n_strips; s++) {
         if (!zs_strip_in(r, s, rect))
             continue;
@@ -57,7 +57,8 @@ static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
     }
 }
 
-static const struct zs_watch_kernel zs_watch_sums = { .look = watch_look, .forget = watch_forget };
+static const struct zs_strip_hash_kernel kernel = { .look = strip_hash_look,
+                                                    .forget = strip_hash_forget };
 
 int zs_strip_hashes_init(struct zs_strip_hashes *sums, uint64_t *memory, uint32_t width,
                          uint32_t height, uint32_t strip_h, uint32_t columns)
@@ -86,7 +87,7 @@ int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums)
     if (sums && (sums->width != r->config.width || sums->height != r->config.height ||
                  sums->strip_h != r->config.strip_h))
         return ZS_ERR_SIZE;
-    r->watch = sums ? &zs_watch_sums : 0;
+    r->strip_hash = sums ? &kernel : 0;
     r->sums = sums;
     const struct zs_track_kernel *track = r->track;
     if (track)

@@ -60,8 +60,8 @@ static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t
     const uint32_t width = r->config.width;
     if (x >= x_end)
         return;
-    if (r->watch) {
-        const uint32_t step = zs_watch_step(r);
+    if (r->strip_hash) {
+        const uint32_t step = zs_strip_hash_step(r);
         x = x / step * step;
         x_end = (x_end + step - 1u) / step * step;
     }

@@ -91,7 +91,7 @@ int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
     if (!map || !map->key || !r || !casters || !light)
         return ZS_ERR_NULL;
     map->drawn = 0;
-    if (r->ready != 1 || r->watch || r->track)
+    if (r->ready != 1 || r->strip_hash || r->track)
         return ZS_ERR_SEQUENCE;
     const struct zs_config *c = &r->config;
     if (map->w != c->width || map->h != c->height)

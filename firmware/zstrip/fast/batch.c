@@ -77,7 +77,7 @@ struct sweep {
     uint32_t n;                /* number of the next record */
     struct zs_tri *out, *full; /* the next record; one beyond the pool's last */
     uint32_t placed;    /* n less the number of triangles that place() has binned, negative */
-    uint32_t *fate;     /* [ZS_FATES]: counts of outcomes */
+    uint32_t *outcome;     /* [ZS_OUTCOMES]: counts of outcomes */
     uint8_t by_batches; /* flags: sweep() leaves slow cases to batch_bin(); ... */
     uint8_t full_verts; /* ... a batch has no room for a vertex of its first triangle */
     uint32_t *piece;    /* of a clipped triangle, as in zs_assemble_tri */
@@ -100,7 +100,7 @@ static ZS_NOINLINE int outside(struct sweep *s, const uint16_t index[3])
         return 0;
     const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
     if (all > ZS_D_OUT)
-        s->fate[zs_fate_outside(all)]++;
+        s->outcome[zs_outcome_outside(all)]++;
     return all > ZS_D_OUT;
 }
 
@@ -110,13 +110,13 @@ static ZS_NOINLINE int slow_case(struct sweep *s, uint32_t t)
 {
     struct zs_renderer *r = s->r;
     r->n_tris = s->n;
-    const enum zs_fate fate = zs_assemble_tri(r, t, s->piece);
+    const enum zs_outcome outcome = zs_assemble_tri(r, t, s->piece);
     s->placed -= r->n_tris - s->n;
     s->n = r->n_tris;
     s->out = &r->tri[s->n];
-    if (fate == ZS_FATE_FULL)
+    if (outcome == ZS_OUTCOME_FULL)
         return 0;
-    s->fate[fate]++;
+    s->outcome[outcome]++;
     return 1;
 }
 
@@ -125,16 +125,16 @@ static ZS_NOINLINE uint32_t aside(struct sweep *s, int32_t empty, int32_t y0, in
 {
     const struct zs_renderer *r = s->r;
     uint32_t strip = ZS_NIL;
-    enum zs_fate fate = ZS_FATE_DRAWN;
+    enum zs_outcome outcome = ZS_OUTCOME_DRAWN;
     if (y1 <= r->walk_y || y0 >= r->walk_y_end)
-        fate = ZS_FATE_OFFSCREEN;
+        outcome = ZS_OUTCOME_OFFSCREEN;
     else if (empty || y0 >= y1)
-        fate = ZS_FATE_EMPTY;
+        outcome = ZS_OUTCOME_EMPTY;
     else
         strip = zs_bin_place(r, y0, y1);
     if (strip == ZS_NIL) {
-        s->fate[fate]++;
-        if (fate == ZS_FATE_DRAWN)
+        s->outcome[outcome]++;
+        if (outcome == ZS_OUTCOME_DRAWN)
             zs_bin_below(s->r, y0);
     }
     return strip;
@@ -171,7 +171,7 @@ ZS_ALWAYS_INLINE void place(struct sweep *s, uint32_t t, const struct corners *c
                   x1 = zs_first_sample(x + (most & ~(most >> 31))), y0 = zs_first_sample(y + top),
                   y1 = zs_first_sample(y + bottom);
     if (ZS_SELDOM(x1 <= s->x || x0 >= s->x_end)) {
-        s->fate[ZS_FATE_OFFSCREEN]++;
+        s->outcome[ZS_OUTCOME_OFFSCREEN]++;
         return;
     }
     uint32_t strip;
@@ -217,7 +217,7 @@ ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint3
         if (wide ? outside(s, *tri) : area * s->keep < 0)
             continue;
         if (ZS_SELDOM(!wide && area == 0)) {
-            s->fate[ZS_FATE_ZERO]++;
+            s->outcome[ZS_OUTCOME_ZERO]++;
         } else if (wide || s->out == s->full) {
             if (s->by_batches || !slow_case(s, t))
                 break;
@@ -232,26 +232,26 @@ ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint3
         }
     }
     s->r->n_tris = s->n;
-    s->fate[ZS_FATE_DRAWN] += s->placed + s->n;
+    s->outcome[ZS_OUTCOME_DRAWN] += s->placed + s->n;
     return t;
 }
 
 /* The sum of all outcomes. */
-static uint32_t sum(const uint32_t fate[ZS_FATES])
+static uint32_t sum(const uint32_t outcome[ZS_OUTCOMES])
 {
     uint32_t n = 0;
-    for (uint32_t k = 0; k < ZS_FATES; k++)
-        n += fate[k];
+    for (uint32_t k = 0; k < ZS_OUTCOMES; k++)
+        n += outcome[k];
     return n;
 }
 
 /* sweep(), which counts all outcomes but this one. */
 static uint32_t counted(struct sweep *s, uint32_t from, uint32_t end, const uint16_t (*tri)[3])
 {
-    const uint32_t before = sum(s->fate);
+    const uint32_t before = sum(s->outcome);
     s->placed = 0u - s->n;
     const uint32_t reached = sweep(s, from, end, tri);
-    s->fate[ZS_FATE_FACING] += reached - from - (sum(s->fate) - before);
+    s->outcome[ZS_OUTCOME_FACING] += reached - from - (sum(s->outcome) - before);
     return reached;
 }
 
@@ -388,20 +388,20 @@ static void begin(struct sweep *s, struct zs_renderer *r)
 
 /* In batches, a slow case is assembled here, without their memory on the stack. */
 static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
-                                      uint32_t fate[ZS_FATES], uint32_t *piece)
+                                      uint32_t outcome[ZS_OUTCOMES], uint32_t *piece)
 {
     struct sweep s;
-    s.fate = fate;
+    s.outcome = outcome;
     s.piece = piece;
     s.by_batches = !r->direct || r->parts_tris;
     s.full_verts = 0;
     for (;; r->slow_first = 1) {
         if (r->slow_first) {
-            const enum zs_fate f = zs_assemble_tri(r, from, piece);
-            if (f == ZS_FATE_FULL)
+            const enum zs_outcome f = zs_assemble_tri(r, from, piece);
+            if (f == ZS_OUTCOME_FULL)
                 return from;
             r->slow_first = 0;
-            fate[f]++;
+            outcome[f]++;
             from++;
         }
         begin(&s, r);

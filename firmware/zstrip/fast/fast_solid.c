@@ -166,9 +166,9 @@ static int small_draw(struct zs_job *job)
     struct zs_sides w;
     if (!zs_small_look(job, &s) || !zs_small_keys(&s))
         return 0;
-    const enum zs_small_fate fate = zs_small_place(job, &s);
-    if (fate != ZS_SMALL_ROWS)
-        return (int)fate;
+    const enum zs_small_outcome outcome = zs_small_place(job, &s);
+    if (outcome != ZS_SMALL_ROWS)
+        return (int)outcome;
     w.key = s.key;
     w.gx = (uint32_t)s.gx;
     w.down[1] = (uint32_t)s.gy;

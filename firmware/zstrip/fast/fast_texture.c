@@ -117,9 +117,9 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
         !zs_texture_affine(zs_texture_most(t, &cu, &cv, uv_bits), change, view->key_slow) ||
         !zs_small_keys(&s))
         return 0;
-    const enum zs_small_fate fate = zs_small_place(job, &s);
-    if (fate != ZS_SMALL_ROWS)
-        return (int)fate;
+    const enum zs_small_outcome outcome = zs_small_place(job, &s);
+    if (outcome != ZS_SMALL_ROWS)
+        return (int)outcome;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
     ZS_ANEW(s.x); /* so that -x is one instruction */
     if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) |

@@ -63,7 +63,7 @@ struct zs_texel_rows {
         light_down; /* uq1_31, half of 2^-10 added, in the same way; only for lit triangles */
 };
 
-enum zs_small_fate {
+enum zs_small_outcome {
     ZS_SMALL_NOT = 0,  /* declined */
     ZS_SMALL_DONE = 1, /* no row in the strip */
     ZS_SMALL_ROWS = 2
@@ -123,7 +123,7 @@ ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s)
 
 /* Find the triangle's rows in the strip, and the key at column 0 of the first one. Decline it if it
  * is cut by a side of the viewport. Sets job->row_last unless it declines. */
-ZS_ALWAYS_INLINE enum zs_small_fate zs_small_place(struct zs_job *job, struct zs_small *s)
+ZS_ALWAYS_INLINE enum zs_small_outcome zs_small_place(struct zs_job *job, struct zs_small *s)
 {
     ZS_ANEW(s->a);
     const int32_t ax = s->a->x, ay = s->a->y, column = ax >> ZS_SUBPX_BITS;

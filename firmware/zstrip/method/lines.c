@@ -49,10 +49,10 @@ static int beyond_guard(const struct zs_renderer *r, const struct zs_vertex *v)
 }
 
 /* Fetch the ends in camera units, clip the line between them, and project what is left. Return
- * ZS_FATE_OPEN, or why nothing is left. Both ends are in the polygon that is clipped, one twice:
+ * ZS_OUTCOME_OPEN, or why nothing is left. Both ends are in the polygon that is clipped, one twice:
  * its first two corners are what is left of the line. */
-static ZS_RARE ZS_NOINLINE enum zs_fate clipped(struct zs_renderer *r, const uint16_t v[2],
-                                                struct zs_end end[2], uint32_t piece)
+static ZS_RARE ZS_NOINLINE enum zs_outcome clipped(struct zs_renderer *r, const uint16_t v[2],
+                                                   struct zs_end end[2], uint32_t piece)
 {
     const struct zs_shader *shader = r->xform.instance->material->shader;
     struct zs_clip_vertex cv[ZS_CLIP_MAX];
@@ -71,7 +71,7 @@ static ZS_RARE ZS_NOINLINE enum zs_fate clipped(struct zs_renderer *r, const uin
     }
     r->stats.verts_transformed += 2;
     if (all)
-        return zs_fate_outside(all);
+        return zs_outcome_outside(all);
     if (any) {
         if (r->counting && piece == 0)
             r->stats.tris_clipped++;
@@ -79,9 +79,9 @@ static ZS_RARE ZS_NOINLINE enum zs_fate clipped(struct zs_renderer *r, const uin
         view.guard = (uint64_t)ZS_QUAD_GUARD << (view.perspective ? 0 : view.scale_bits);
         if (!zs_clip_polygon(&view, cv, 3, any | ZS_OUT_SIDES,
                              shader->n_varyings))
-            return any & ZS_OUT_NEAR  ? ZS_FATE_NEAR
-                   : any & ZS_OUT_FAR ? ZS_FATE_FAR
-                                      : ZS_FATE_OFFSCREEN;
+            return any & ZS_OUT_NEAR  ? ZS_OUTCOME_NEAR
+                   : any & ZS_OUT_FAR ? ZS_OUTCOME_FAR
+                                      : ZS_OUTCOME_OFFSCREEN;
     }
     for (int k = 0; k < 2; k++) {
         struct zs_vertex *const at = &end[k].v;
@@ -92,12 +92,12 @@ static ZS_RARE ZS_NOINLINE enum zs_fate clipped(struct zs_renderer *r, const uin
         for (uint32_t a = 0; a < shader->n_varyings; a++)
             end[k].attr[a] = cv[k].attr[a];
     }
-    return ZS_FATE_OPEN;
+    return ZS_OUTCOME_OPEN;
 }
 
-/* Fetch the ends of a line that is not dashed. Return ZS_FATE_OPEN; ZS_FATE_DRAWN: it has to be
- * clipped. */
-static enum zs_fate shared(struct zs_renderer *r, const uint16_t v[2], struct zs_end end[2])
+/* Fetch the ends of a line that is not dashed. Return ZS_OUTCOME_OPEN; ZS_OUTCOME_DRAWN: it has to
+ * be clipped. */
+static enum zs_outcome shared(struct zs_renderer *r, const uint16_t v[2], struct zs_end end[2])
 {
     const struct zs_shader *shader = r->xform.instance->material->shader;
     const uint16_t both[3] = { v[0], v[1], v[1] };
@@ -111,7 +111,7 @@ static enum zs_fate shared(struct zs_renderer *r, const uint16_t v[2], struct zs
             r->stats.verts_transformed++;
         }
         if (end[k].v.d >= ZS_D_OUT || beyond_guard(r, &end[k].v))
-            return ZS_FATE_DRAWN;
+            return ZS_OUTCOME_DRAWN;
     }
     for (int k = 0; k < 2 && shader->vertex; k++) {
         if (!pooled) {
@@ -122,7 +122,7 @@ static enum zs_fate shared(struct zs_renderer *r, const uint16_t v[2], struct zs
         for (uint32_t a = 0; a < shader->n_varyings; a++)
             end[k].attr[a] = r->attr[slot[k] * r->config.varyings + a];
     }
-    return ZS_FATE_OPEN;
+    return ZS_OUTCOME_OPEN;
 }
 
 /* ---- On the screen -------------------------------------------------------------------------- */
@@ -158,8 +158,8 @@ static void line_set(struct line *line, int32_t width)
 }
 
 /* Bin the parallelogram between two places of a line, in the order of m. */
-static enum zs_fate parallelogram(struct zs_renderer *r, const struct line *line,
-                                  const struct zs_end *const end[2], const int32_t m[2],
+static enum zs_outcome parallelogram(struct zs_renderer *r, const struct line *line,
+                                     const struct zs_end *const end[2], const int32_t m[2],
                                   const int32_t n[2], uint32_t t, uint32_t dash, uint32_t *piece)
 {
     struct zs_quad quad;
@@ -217,15 +217,15 @@ static ZS_NOINLINE int32_t cut(const struct zs_renderer *r, const struct line *l
 }
 
 /* Bin the dashes of a line that lie in the rows or columns that are drawn. */
-static ZS_NOINLINE enum zs_fate dashes(struct zs_renderer *r, const struct line *line, uint32_t t,
-                                       uint32_t *piece)
+static ZS_NOINLINE enum zs_outcome dashes(struct zs_renderer *r, const struct line *line,
+                                          uint32_t t, uint32_t *piece)
 {
     const struct zs_lines *const lines = lines_of(r->xform.instance);
     const int32_t first = zs_first_sample(line->m[0]), end = zs_first_sample(line->m[1]);
     const int32_t low = zs_max32(line->down ? r->walk_y : r->walk_x, first),
                   high = zs_min32(line->down ? r->walk_y_end : r->walk_end, end);
     const int32_t on = lines->on, period = on + lines->off;
-    enum zs_fate all = ZS_FATE_OFFSCREEN;
+    enum zs_outcome all = ZS_OUTCOME_OFFSCREEN;
     if (low >= high)
         return all;
     /* columns of the line, counted from its first end: [from, to) of them are in view */
@@ -244,42 +244,42 @@ static ZS_NOINLINE enum zs_fate dashes(struct zs_renderer *r, const struct line 
             m[k] = whole ? line->m[k] : column[k] * ZS_SUBPX_ONE;
             n[k] = whole ? line->n[k] : cut(r, line, m[k], &place[k]);
         }
-        const enum zs_fate fate = parallelogram(r, line, at, m, n, t, (uint32_t)j, piece);
-        if (fate == ZS_FATE_FULL)
-            return fate;
-        if (all != ZS_FATE_DRAWN)
-            all = fate;
+        const enum zs_outcome outcome = parallelogram(r, line, at, m, n, t, (uint32_t)j, piece);
+        if (outcome == ZS_OUTCOME_FULL)
+            return outcome;
+        if (all != ZS_OUTCOME_DRAWN)
+            all = outcome;
     }
     return all;
 }
 
 /* ---- Assembly ------------------------------------------------------------------------------- */
 
-static enum zs_fate line_assemble(struct zs_renderer *r, uint32_t t, uint32_t *piece)
+static enum zs_outcome line_assemble(struct zs_renderer *r, uint32_t t, uint32_t *piece)
 {
     const struct zs_instance *in = r->xform.instance;
     const struct zs_lines *lines = lines_of(in);
     const uint16_t *const v = lines->line[t];
     struct line line;
     if (v[0] >= in->mesh->n_verts || v[1] >= in->mesh->n_verts)
-        return ZS_FATE_INDEX;
-    enum zs_fate fate = ZS_FATE_DRAWN;
+        return ZS_OUTCOME_INDEX;
+    enum zs_outcome outcome = ZS_OUTCOME_DRAWN;
     if (!dashed(lines))
-        fate = shared(r, v, line.end);
-    if (fate != ZS_FATE_OPEN)
-        fate = clipped(r, v, line.end, *piece);
-    if (fate != ZS_FATE_OPEN)
-        return fate;
+        outcome = shared(r, v, line.end);
+    if (outcome != ZS_OUTCOME_OPEN)
+        outcome = clipped(r, v, line.end, *piece);
+    if (outcome != ZS_OUTCOME_OPEN)
+        return outcome;
     line_set(&line, zs_quad_width(lines->width));
     if (dashed(lines)) {
-        fate = dashes(r, &line, t, piece);
+        outcome = dashes(r, &line, t, piece);
     } else {
         const struct zs_end *const end[2] = { &line.end[0], &line.end[1] };
-        fate = parallelogram(r, &line, end, line.m, line.n, t, 0, piece);
+        outcome = parallelogram(r, &line, end, line.m, line.n, t, 0, piece);
     }
-    if (fate != ZS_FATE_FULL)
+    if (outcome != ZS_OUTCOME_FULL)
         *piece = 0;
-    return fate;
+    return outcome;
 }
 
 static int lines_widen(const struct zs_renderer *r, const struct zs_instance *in,

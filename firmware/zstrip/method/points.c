@@ -13,7 +13,7 @@ static const struct zs_points *points_of(const struct zs_instance *in)
     return (const struct zs_points *)(const void *)in->material->primitive;
 }
 
-static enum zs_fate point_assemble(struct zs_renderer *r, uint32_t t, uint32_t *piece)
+static enum zs_outcome point_assemble(struct zs_renderer *r, uint32_t t, uint32_t *piece)
 {
     const struct zs_instance *in = r->xform.instance;
     const struct zs_points *points = points_of(in);
@@ -24,13 +24,13 @@ static enum zs_fate point_assemble(struct zs_renderer *r, uint32_t t, uint32_t *
     struct zs_end end;
     struct zs_quad quad;
     if (v >= in->mesh->n_verts)
-        return ZS_FATE_INDEX;
+        return ZS_OUTCOME_INDEX;
     r->stats.verts_transformed++;
     zs_xform_screen(r, v, &end.v);
     if (end.v.d >= ZS_D_OUT)
-        return zs_fate_outside(end.v.d & ~ZS_D_OUT);
+        return zs_outcome_outside(end.v.d & ~ZS_D_OUT);
     if (zs_abs32(end.v.x - cx) > ZS_QUAD_GUARD || zs_abs32(end.v.y - cy) > ZS_QUAD_GUARD)
-        return ZS_FATE_OFFSCREEN;
+        return ZS_OUTCOME_OFFSCREEN;
     if (shader->vertex)
         shader->vertex(&r->shading, v, end.attr);
     for (int k = 0; k < 4; k++) {
@@ -39,10 +39,10 @@ static enum zs_fate point_assemble(struct zs_renderer *r, uint32_t t, uint32_t *
         quad.v[k].d = end.v.d;
         quad.from[k] = &end;
     }
-    const enum zs_fate fate = zs_quad_bin(r, &quad, t, 0, piece);
-    if (fate != ZS_FATE_FULL)
+    const enum zs_outcome outcome = zs_quad_bin(r, &quad, t, 0, piece);
+    if (outcome != ZS_OUTCOME_FULL)
         *piece = 0;
-    return fate;
+    return outcome;
 }
 
 static int points_widen(const struct zs_renderer *r, const struct zs_instance *in,

@@ -45,17 +45,17 @@ static uint16_t paint_of(const struct zs_renderer *r, uint32_t t)
     return in->material->shader->face(&r->shading, t);
 }
 
-enum zs_fate zs_quad_bin(struct zs_renderer *r, const struct zs_quad *quad, uint32_t t,
-                         uint32_t first, uint32_t *piece)
+enum zs_outcome zs_quad_bin(struct zs_renderer *r, const struct zs_quad *quad, uint32_t t,
+                            uint32_t first, uint32_t *piece)
 {
     uint32_t pushed[4] = { ZS_NIL, ZS_NIL, ZS_NIL, ZS_NIL };
-    enum zs_fate all = ZS_FATE_EMPTY;
+    enum zs_outcome all = ZS_OUTCOME_EMPTY;
     for (uint32_t k = first; k < first + 2u; k++) {
         struct zs_candidate at = { { 0, k - first + 1u, k - first + 2u }, 0, 0 };
-        const enum zs_fate fate = zs_assemble_box(r, quad->v, &at);
-        if (all != ZS_FATE_DRAWN)
-            all = fate;
-        if (fate != ZS_FATE_DRAWN || k < *piece)
+        const enum zs_outcome outcome = zs_assemble_box(r, quad->v, &at);
+        if (all != ZS_OUTCOME_DRAWN)
+            all = outcome;
+        if (outcome != ZS_OUTCOME_DRAWN || k < *piece)
             continue;
         const uint32_t strip = zs_bin_place(r, at.y0, at.y1);
         if (strip == ZS_NIL)
@@ -65,7 +65,7 @@ enum zs_fate zs_quad_bin(struct zs_renderer *r, const struct zs_quad *quad, uint
             need += pushed[at.slot[c]] == ZS_NIL;
         if (r->n_tris == r->config.max_tris || r->n_verts + need > r->config.max_verts) {
             *piece = k;
-            return ZS_FATE_FULL;
+            return ZS_OUTCOME_FULL;
         }
         for (int c = 0; c < 3; c++) {
             uint32_t *const slot = &pushed[at.slot[c]];

@@ -29,10 +29,10 @@ struct zs_quad {
 };
 
 /* Bin a quadrilateral of primitive t as two triangles, 0 1 2 and 0 2 3, which are pieces `first`
- * and first + 1 of it; those before *piece are binned already. Return the outcome. ZS_FATE_FULL: a
- * pool is full, *piece is the piece that is next. */
-enum zs_fate zs_quad_bin(struct zs_renderer *r, const struct zs_quad *quad, uint32_t t,
-                         uint32_t first, uint32_t *piece);
+ * and first + 1 of it; those before *piece are binned already. Return the outcome. ZS_OUTCOME_FULL:
+ * a pool is full, *piece is the piece that is next. */
+enum zs_outcome zs_quad_bin(struct zs_renderer *r, const struct zs_quad *quad, uint32_t t,
+                            uint32_t first, uint32_t *piece);
 
 /* Enlarge a bounding sphere by the reach of a line or point of a width in px. Check what all
  * primitives need of an instance. Return ZS_OK, ZS_ERR_RANGE or ZS_ERR_MESH. */

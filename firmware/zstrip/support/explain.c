@@ -360,7 +360,7 @@ static void say_slow(struct zs_explainer *e, const struct zs_seen *all)
 struct kept {
     struct zs_stats stats;
     struct zs_view view;
-    const struct zs_watch_kernel *watch;
+    const struct zs_strip_hash_kernel *strip_hash;
     const struct zs_track_kernel *track;
     uint16_t window[2];
 };
@@ -384,11 +384,11 @@ static void keep(struct zs_explainer *e, struct kept *kept)
     struct zs_renderer *const r = e->r;
     kept->stats = r->stats;
     kept->view = r->view;
-    kept->watch = r->watch;
+    kept->strip_hash = r->strip_hash;
     kept->track = r->track;
     kept->window[0] = r->window[0];
     kept->window[1] = r->window[1];
-    r->watch = 0;
+    r->strip_hash = 0;
     r->track = 0;
     r->window[0] = 0;
     r->window[1] = r->config.width;
@@ -399,7 +399,7 @@ static void restore(struct zs_explainer *e, const struct kept *kept)
     struct zs_renderer *const r = e->r;
     r->stats = kept->stats;
     r->view = kept->view;
-    r->watch = kept->watch;
+    r->strip_hash = kept->strip_hash;
     r->track = kept->track;
     r->window[0] = kept->window[0];
     r->window[1] = kept->window[1];
