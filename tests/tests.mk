@@ -110,7 +110,7 @@ size stack: $(B)/.setup-test $(B)/libcore.a
 check: $(B)/.setup-test $(B)/gen/meshes.h
 	@for c in objects kernels hal includes shape designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
-## examples: flash, RAM and instructions of the programs of firmware/examples, on a Cortex-M3
+## examples: flash, RAM, instructions and cycles of the programs of firmware/examples, and a sheet of their pictures
 examples: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/tools/examples.sh $(B)
 

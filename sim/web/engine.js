@@ -192,7 +192,8 @@ export class Engine {
      * @typedef {{name?: string, color?: number[], emission?: number[], specular?: number[], power?: number,
      *            opacity?: number, alpha?: 'opaque'|'mask'|'blend', alphaLeast?: number, twoSided?: boolean,
      *            unlit?: boolean, texture?: number, textureFactor?: number[], clampU?: boolean, clampV?: boolean,
-     *            mirrorU?: boolean, mirrorV?: boolean, saysAlpha?: boolean}} Material  texture: into textures; saysAlpha: its format says what alpha does
+     *            mirrorU?: boolean, mirrorV?: boolean, saysAlpha?: boolean}} Material
+     *   texture: into textures; saysAlpha: its format says what alpha does
      * @typedef {{name?: string, width: number, height: number, rgba: Uint8Array|Uint8ClampedArray}} Texture
      * @returns {Answer & {losses: string[]}} losses: what of the file is not carried over */
     setModel(model) {
