@@ -5,7 +5,8 @@
 #ifndef ICOSAHEDRON_H
 #define ICOSAHEDRON_H
 
-#include "zstrip.h"
+#include "examples.h"
+#include "zs_math.h"
 
 #define A 17225 /* corners of an icosahedron are its normals too: A * A + B * B is 32767^2 */
 #define B 27873
@@ -24,5 +25,13 @@ static const struct zs_mesh icosahedron = {
     .pos = icosahedron_pos, .normal = icosahedron_pos, .tri = icosahedron_tri,
     .n_verts = 12, .n_tris = 20, .radius = 32768
 };
+
+/* The ball as it is turned in frame t, and a camera that looks at it from a little above. Return ZS_OK or an error. */
+static inline int icosahedron_turn(struct zs_pose *pose, struct zs_camera *camera, uint32_t t)
+{
+    zs_pose_turn(pose, (zs_turn)(t * 700u), 0, 0);
+    const int err = zs_camera_perspective(camera, ZS_DEGREES(50), EXAMPLE_H, 10000, 200000);
+    return err ? err : zs_camera_orbit(camera, pose->pos, 88000, 0, ZS_DEGREES(15));
+}
 
 #endif

@@ -5,7 +5,6 @@
 #include "examples.h"
 #include "icosahedron.h"
 #include "zs_lights.h"
-#include "zs_math.h"
 
 static const struct zs_lamp lamp[3] = {
     /* of length 1: 0.6 0.8 0 and the like */
@@ -28,9 +27,7 @@ int example_three_lights(uint32_t t, const struct zs_sink *sink)
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = ZS_RGB565(0x000050) };
     struct zs_camera camera;
     screen_config.depth = &zs_depth_float;
-    zs_pose_turn(&instance.pose, (zs_turn)(t * 700u), 0, 0);
-    int err = zs_camera_perspective(&camera, ZS_DEGREES(50), EXAMPLE_H, 10000, 200000);
-    err = err ? err : zs_camera_orbit(&camera, instance.pose.pos, 88000, 0, ZS_DEGREES(15));
+    int err = icosahedron_turn(&instance.pose, &camera, t);
     err = err ? err : zs_shine_set(&gloss, 24);
     err = err ? err : ZS_INIT(screen);
     return err ? err : zs_render(&screen, &scene, &camera, sink);

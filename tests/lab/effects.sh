@@ -15,10 +15,8 @@ out=$top/effects
 record=tests/records/effects.txt
 mkdir -p "$out"
 pico() { # lines "RP2040 CYCLES NAME"
-    sh tests/boards/pico.sh "$top" set-up >&2 || return 1
-    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=pico NAME=effects APP_SRC=tests/lab/effects/effects.c \
-        APP_FLAGS='-Ifirmware/app -DCYCLES_A_TICK=125' DEFINES=-DZS_VARYINGS_MAX=8 B="$top" OUT="$top/fw/effects-pico" \
-        image >&2 && timeout 1800 node "$top/pico/parts.mjs" "$top/fw/effects-pico/effects" >"$out/pico.csv" || return 1
+    on_pico effects 1800 APP_SRC=tests/lab/effects/effects.c APP_FLAGS='-Ifirmware/app -DCYCLES_A_TICK=125' \
+        DEFINES=-DZS_VARYINGS_MAX=8 >"$out/pico.csv" || return 1
     sed -n 's/^\([^#]*\),\([0-9][0-9]*\),[0-9]*\r*$/RP2040 \2 \1/p' "$out/pico.csv"
 }
 if [ "${2:-}" = header ]; then

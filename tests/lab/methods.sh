@@ -14,10 +14,8 @@ out=$top/methods
 record=tests/records/methods.txt
 mkdir -p "$out"
 pico() { # lines "RP2040 METHOD SCENE CYCLES"
-    sh tests/boards/pico.sh "$top" set-up >&2 || return 1
-    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=pico NAME=methods APP_SRC=firmware/app/methods.c \
-        DEFINES='-DCYCLES_A_TICK=125 -DARENA_BYTES=180000' B="$top" OUT="$top/fw/methods-pico" image >&2 &&
-        timeout 3000 node "$top/pico/parts.mjs" "$top/fw/methods-pico/methods" >"$out/pico.csv" || return 1
+    on_pico methods 3000 APP_SRC=firmware/app/methods.c DEFINES='-DCYCLES_A_TICK=125 -DARENA_BYTES=180000' \
+        >"$out/pico.csv" || return 1
     tr -d '\r' <"$out/pico.csv" | awk -F, '$3 + 0 > 0 && !/failed/ { print "RP2040", $1, $2, $3 }'
 }
 if [ "${2:-}" = header ]; then

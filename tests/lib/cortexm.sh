@@ -25,6 +25,16 @@ files() {
     [ -e "$2" ]
 }
 
+# NAME SECONDS OPTION...: build a program with these options of firmware.mk, and run it on the emulated Pico, so long at
+# most: its text.
+on_pico() {
+    name=$1 seconds=$2
+    shift 2
+    sh tests/boards/pico.sh "$top" set-up >&2 || return 1
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=pico NAME="$name" "$@" B="$top" OUT="$top/fw/$name-pico" \
+        image >&2 && timeout "$seconds" node "$top/pico/parts.mjs" "$top/fw/$name-pico/$name"
+}
+
 # WHAT DIR NAME: `firmware`, a function of the script's, builds a program, and runs it with `run`: what it writes is
 # DIR/NAME.csv. Where it does not build or run, all of that is shown, and the script ends.
 counted() {
