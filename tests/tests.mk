@@ -12,7 +12,7 @@ TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-mi
           -Itests/lib -DZS_STATS=1 -DZS_VARYINGS_MAX=8 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
-FRAME = sim/frame/frame.c sim/frame/scene_share.c sim/frame/method_names.c sim/cli/sim.c
+FRAME = $(addprefix sim/frame/,frame.c frame_ids.c frame_threads.c scene_share.c method_names.c) sim/cli/sim.c
 TEST_HELP = $(wildcard tests/lib/*.c) tests/lab/fuzz/world.c tests/lab/fuzz/effects.c
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 

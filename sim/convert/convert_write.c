@@ -1,5 +1,5 @@
-/* C text. The same numbers make the same bytes: nothing of the machine, the day or the folder is
- * in them.
+/* C text: objects and files (convert_arrays.c: arrays; convert_figures.c: what is said of them). The same numbers make
+ * the same bytes: nothing of the machine, the day or the folder is in them.
  *
  * Initialisers name the fields that they set, in the order of the members, so that C11 and C++20 take them alike.
  *
@@ -8,32 +8,14 @@
 #include <ctype.h>
 #include <inttypes.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "cluster.h"
 #include "convert.h"
+#include "convert_text.h"
 #include "image.h"
 #include "sim.h"
 #include "zs_lights.h"
-#include "simplify.h"
 #include "zs_method.h"
-
-#define COLUMNS 100
-
-/* ---- Words ----------------------------------------------------------------------------------- */
-
-/* The shortest decimal that reads back as the same double. */
-static const char *exactly(char text[32], double v)
-{
-    for (int digits = 15; digits <= 17; digits++) {
-        (void)snprintf(text, 32, "%.*g", digits, v + 0.0);
-        if (strtod(text, NULL) == v)
-            break;
-    }
-    return text;
-}
 
 static void upper(char out[64], const char *name)
 {
@@ -41,171 +23,6 @@ static void upper(char out[64], const char *name)
     for (; name[i] != '\0' && i < 63; i++)
         out[i] = (char)toupper((unsigned char)name[i]);
     out[i] = '\0';
-}
-
-/* A name from a file, in quotes, as it may stand in a comment. */
-static void quote(FILE *f, const char *name)
-{
-    (void)fputc('"', f);
-    for (int n = 0; *name != '\0' && n < 40; name++, n++)
-        (void)fputc(isascii((unsigned char)*name) &&
-                            (isalnum((unsigned char)*name) || strchr(" ._,+=@#-()", *name) != NULL)
-                        ? *name
-                        : '_',
-                    f);
-    (void)fputc('"', f);
-}
-
-static const char *last_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
-/* ---- Arrays ---------------------------------------------------------------------------------- */
-
-/* Elements one after another, broken where a line is full. */
-struct row {
-    FILE *f;
-    int column;
-};
-
-static void put(struct row *row, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void put(struct row *row, const char *format, ...)
-{
-    char text[160];
-    va_list args;
-    va_start(args, format);
-    const int n = vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    if (row->column + n > COLUMNS && row->column > 0) {
-        (void)fputc('\n', row->f);
-        row->column = 0;
-    }
-    (void)fputs(text, row->f);
-    row->column += n;
-}
-
-static struct row begin(FILE *f, const char *type, const char *name, uint32_t part, const char *what, size_t n,
-                        const char *width)
-{
-    (void)fprintf(f, "static const %s %s_%s_%" PRIu32 "[%zu]%s = {\n", type, name, what, part, n, width);
-    return (struct row){ f, 0 };
-}
-
-static void end(FILE *f)
-{
-    (void)fputs("\n};\n", f);
-}
-
-static void triples(FILE *f, const char *name, uint32_t part, const char *what, const int16_t (*v)[3], size_t n)
-{
-    struct row row = begin(f, "int16_t", name, part, what, n, "[3]");
-    for (size_t i = 0; i < n; i++)
-        put(&row, "{%d,%d,%d},", v[i][0], v[i][1], v[i][2]);
-    end(f);
-}
-
-static void colors(FILE *f, const char *name, uint32_t part, const char *what, const struct zs_rgb *v, size_t n)
-{
-    struct row row = begin(f, "struct zs_rgb", name, part, what, n, "");
-    for (size_t i = 0; i < n; i++)
-        put(&row, "{%d,%d,%d},", v[i].r, v[i].g, v[i].b);
-    end(f);
-}
-
-/* Numbers of 16 bits, or (v8) of 8. */
-static void values(FILE *f, const char *name, uint32_t part, const char *what, const uint16_t *v16, const uint8_t *v8,
-                   size_t n)
-{
-    struct row row = begin(f, v16 != NULL ? "uint16_t" : "uint8_t", name, part, what, n, "");
-    for (size_t i = 0; i < n; i++)
-        if (v16 != NULL)
-            put(&row, "0x%04x,", v16[i]);
-        else
-            put(&row, "%d,", v8[i]);
-    end(f);
-}
-
-static void positions(FILE *f, const char *name, uint32_t part, const struct sim_piece *p, int fine)
-{
-    struct row row = begin(f, "int16_t", name, part, "pos", p->n_verts, "[3]");
-    for (uint32_t i = 0; i < p->n_verts; i++) {
-        int16_t v[3];
-        for (int k = 0; k < 3; k++)
-            v[k] = (int16_t)((p->fine[i][k] - (p->fine[i][k] & 255)) / 256);
-        put(&row, "{%d,%d,%d},", v[0], v[1], v[2]);
-    }
-    end(f);
-    if (!fine)
-        return;
-    row = begin(f, "uint8_t", name, part, "pos_lo", p->n_verts, "[3]");
-    for (uint32_t i = 0; i < p->n_verts; i++)
-        put(&row, "{%d,%d,%d},", p->fine[i][0] & 255, p->fine[i][1] & 255, p->fine[i][2] & 255);
-    end(f);
-}
-
-static void indices(FILE *f, const char *name, uint32_t part, const struct sim_piece *p)
-{
-    struct row row = begin(f, "uint16_t", name, part, "tri", p->n_tris, "[3]");
-    for (uint32_t i = 0; i < p->n_tris; i++)
-        put(&row, "{%u,%u,%u},", p->tri[i][0], p->tri[i][1], p->tri[i][2]);
-    end(f);
-}
-
-static void coordinates(FILE *f, const char *name, uint32_t part, const struct sim_piece *p)
-{
-    struct row row = begin(f, "int16_t", name, part, "uv", p->n_verts, "[2]");
-    for (uint32_t i = 0; i < p->n_verts; i++)
-        put(&row, "{%d,%d},", p->uv[i][0], p->uv[i][1]);
-    end(f);
-}
-
-static void clusters(FILE *f, const char *name, uint32_t part, const struct sim_piece *p)
-{
-    struct row row = begin(f, "struct zs_cluster", name, part, "cluster", p->n_clusters, "");
-    for (uint32_t i = 0; i < p->n_clusters; i++) {
-        const struct zs_cluster *c = &p->cluster[i];
-        put(&row,
-            "{.first=%" PRIu32 ",.n_tris=%u,.center={%d,%d,%d},.radius=%u,.axis={%d,%d,%d},.cutoff=%d,.height=%u},",
-            c->first, c->n_tris, c->center[0], c->center[1], c->center[2], c->radius, c->axis[0], c->axis[1],
-            c->axis[2], c->cutoff, c->height);
-    }
-    end(f);
-}
-
-static void nodes(FILE *f, const char *name, uint32_t part, const struct sim_piece *p)
-{
-    struct row row = begin(f, "struct zs_bvh_node", name, part, "bvh", p->n_nodes, "");
-    for (uint32_t i = 0; i < p->n_nodes; i++) {
-        const struct zs_bvh_node *n = &p->bvh[i];
-        put(&row, "{.center={%d,%d,%d},.radius=%u,.first=%" PRIu32 ",.skip=%" PRIu32 "},", n->center[0], n->center[1],
-            n->center[2], n->radius, n->first, n->skip);
-    }
-    end(f);
-}
-
-static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct sim_piece *p, int fine)
-{
-    (void)fprintf(f, "\n/* Mesh %" PRIu32 " */\n", part);
-    positions(f, name, part, p, fine);
-    indices(f, name, part, p);
-    if (p->normal != NULL)
-        triples(f, name, part, "normal", (const int16_t(*)[3])p->normal, p->n_verts);
-    if (p->face_normal != NULL)
-        triples(f, name, part, "face_normal", (const int16_t(*)[3])p->face_normal, p->n_tris);
-    if (p->vertex_rgb != NULL)
-        colors(f, name, part, "vertex_rgb", p->vertex_rgb, p->n_verts);
-    if (p->face_rgb != NULL)
-        colors(f, name, part, "face_rgb", p->face_rgb, p->n_tris);
-    if (p->face_raw != NULL)
-        values(f, name, part, "face_raw", p->face_raw, NULL, p->n_tris);
-    if (p->uv != NULL)
-        coordinates(f, name, part, p);
-    if (p->cluster != NULL)
-        clusters(f, name, part, p);
-    if (p->bvh != NULL)
-        nodes(f, name, part, p);
 }
 
 /* ---- Objects --------------------------------------------------------------------------------- */
@@ -293,15 +110,6 @@ static void accelerators(FILE *f, const struct sim_conversion *c)
             (void)fprintf(f, ", ZS_FAST_%s", formats[i]);
 }
 
-static const char *format_name(enum sim_texels format)
-{
-    static const char *const names[] = {
-        [SIM_TEXELS_565] = "565",   [SIM_TEXELS_PAL8] = "pal8",   [SIM_TEXELS_PAL4] = "pal4",
-        [SIM_TEXELS_4444] = "4444", [SIM_TEXELS_PAL8A] = "pal8a", [SIM_TEXELS_PAL4A] = "pal4a"
-    };
-    return names[format];
-}
-
 /* ", .what = NAME_what_part", or nothing */
 static void pointer(FILE *f, int there, const char *name, const char *what, uint32_t part)
 {
@@ -354,7 +162,7 @@ static void material_object(FILE *f, const char *name, const struct sim_paint *p
     (void)fputs(" },", f);
     if (p->name[0] != '\0') {
         (void)fputs(" /* ", f);
-        quote(f, p->name);
+        sim_text_quote(f, p->name);
         (void)fputs(" */", f);
     }
     (void)fputc('\n', f);
@@ -378,9 +186,9 @@ static void lighting(FILE *f, const struct sim_conversion *c)
         (void)fprintf(f,
                       "static const struct zs_shine %s_shine_%u = { .scale = %" PRIu32 "u, .least = %u, .level = {\n",
                       name, power[i], shine.scale, shine.least);
-        struct row row = { f, 0 };
+        struct sim_text_row row = { f, 0 };
         for (size_t k = 0; k < sizeof shine.level; k++)
-            put(&row, "%d,", shine.level[k]);
+            sim_text_put(&row, "%d,", shine.level[k]);
         (void)fputs("\n} };\n", f);
     }
 }
@@ -404,7 +212,8 @@ static void materials(FILE *f, const struct sim_conversion *c, enum sim_form for
 static void texture_object(FILE *f, const char *name, uint32_t part, const struct sim_skin *s)
 {
     static const char *const clamps[] = { "0", "ZS_CLAMP_U", "ZS_CLAMP_V", "ZS_CLAMP_U | ZS_CLAMP_V" };
-    (void)fprintf(f, "    { .format = &zs_texel_%s, .texel = %s_texel_%" PRIu32, format_name(s->format), name, part);
+    (void)fprintf(f, "    { .format = &zs_texel_%s, .texel = %s_texel_%" PRIu32, sim_texels_name(s->format), name,
+                  part);
     if (s->n_colors > 0)
         (void)fprintf(f, ", .palette = %s_palette_%" PRIu32 ", .n_colors = %" PRIu32, name, part, s->n_colors);
     (void)fprintf(f, ",\n      .log2_w = %u, .log2_h = %u, .clamp = %s", sim_texture_log2(s->w),
@@ -422,15 +231,15 @@ static void textures(FILE *f, const struct sim_conversion *c)
     for (uint32_t i = 0; i < c->made.n_skins; i++) {
         const struct sim_skin *s = &c->made.skin[i];
         (void)fprintf(f, "\n/* Texture %" PRIu32 ": ", i);
-        quote(f, last_name(c->model.texture[i].name));
+        sim_text_quote(f, sim_text_last_name(c->model.texture[i].name));
         (void)fprintf(f, ", %" PRIu32 " x %" PRIu32 " texels, rows from the top", s->w, s->h);
         (void)fputs(s->n_levels > 1 ? "; then its coarser levels */\n" : " */\n", f);
         if (s->texel != NULL)
-            values(f, name, i, "texel", s->texel, NULL, s->texel_bytes / 2);
+            sim_convert_numbers(f, name, i, "texel", s->texel, NULL, s->texel_bytes / 2);
         else
-            values(f, name, i, "texel", NULL, s->index, s->texel_bytes);
+            sim_convert_numbers(f, name, i, "texel", NULL, s->index, s->texel_bytes);
         if (s->n_colors > 0)
-            values(f, name, i, "palette", s->palette, NULL, sim_skin_palette(s));
+            sim_convert_numbers(f, name, i, "palette", s->palette, NULL, sim_skin_palette(s));
     }
     if (c->made.n_skins == 0)
         return;
@@ -445,7 +254,7 @@ static void meshes(FILE *f, const struct sim_conversion *c)
     const struct sim_pieces *p = &c->made.pieces;
     const char *name = c->options.name;
     for (uint32_t i = 0; i < p->n_pieces; i++)
-        piece_arrays(f, name, i, &p->piece[i], c->made.steps.fine);
+        sim_convert_arrays(f, name, i, &p->piece[i], c->made.steps.fine);
     (void)fprintf(f, "\nconst struct zs_mesh %s_mesh[%" PRIu32 "] = {\n", name, p->n_pieces);
     for (uint32_t i = 0; i < p->n_pieces; i++)
         mesh_object(f, name, i, &p->piece[i], &c->made.steps);
@@ -460,117 +269,6 @@ static void meshes(FILE *f, const struct sim_conversion *c)
                       forms[form].array, count_paints(p, form, paint), form != SIM_FORM_MATERIAL ? ".material" : "");
     }
     (void)fputs("};\n", f);
-}
-
-/* ---- Figures --------------------------------------------------------------------------------- */
-
-static void bytes_line(FILE *f, const char *lead, const char *what, size_t bytes)
-{
-    if (bytes > 0)
-        (void)fprintf(f, "%s%-24s %9zu bytes\n", lead, what, bytes);
-}
-
-static void flash(FILE *f, const struct sim_conversion *c, const char *lead)
-{
-    struct sim_converted_bytes b;
-    const struct sim_flash *s = &b.mesh;
-    sim_converted_bytes(&b, &c->made);
-    bytes_line(f, lead, "positions", s->pos);
-    bytes_line(f, lead, "positions, low bits", s->pos_lo);
-    bytes_line(f, lead, "indices", s->tri);
-    bytes_line(f, lead, "normals", s->normal);
-    bytes_line(f, lead, "face normals", s->face_normal);
-    bytes_line(f, lead, "colours", s->rgb);
-    bytes_line(f, lead, "texture coordinates", s->uv);
-    bytes_line(f, lead, "clusters", s->cluster);
-    bytes_line(f, lead, "hierarchy", s->bvh);
-    bytes_line(f, lead, "texels and palettes", b.texels);
-    bytes_line(f, lead, "structs (32-bit machine)", b.structs);
-    bytes_line(f, lead, "flash", b.total);
-}
-
-static double extent(const struct sim_model *m)
-{
-    return fmax(m->hi[0] - m->lo[0], fmax(m->hi[1] - m->lo[1], m->hi[2] - m->lo[2]));
-}
-
-/* Vertices that a cache of a size takes in, to a triangle. */
-static double misses(const struct sim_pieces *p, uint32_t size)
-{
-    double sum = 0.0;
-    for (uint32_t i = 0; i < p->n_pieces; i++)
-        sum += p->piece[i].n_tris *
-               sim_cache_misses((const uint16_t(*)[3])p->piece[i].tri, p->piece[i].n_tris, p->piece[i].n_verts, size);
-    return sum / p->n_tris;
-}
-
-static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *lead)
-{
-    const struct sim_pieces *p = &c->made.pieces;
-    uint32_t n_clusters = 0;
-    for (uint32_t i = 0; i < p->n_pieces; i++)
-        n_clusters += p->piece[i].n_clusters;
-    (void)fprintf(f,
-                  "%s%" PRIu32 " triangles, %" PRIu32 " vertices, %" PRIu32 " clusters, %" PRIu32 " mesh%s, %" PRIu32
-                  " material%s\n",
-                  lead, p->n_tris, p->n_verts, n_clusters, p->n_pieces, p->n_pieces == 1 ? "" : "es", p->n_paints,
-                  p->n_paints == 1 ? "" : "s");
-    if (c->model.lost_materials != NULL) {
-        (void)fprintf(f, "%smaterial file ", lead);
-        quote(f, last_name(c->model.lost_materials));
-        (void)fputs(" cannot be read: its colours and textures are missing\n", f);
-    }
-    if (p->n_flat > 0)
-        (void)fprintf(f, "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32 " had none in the file)\n",
-                      lead, p->n_flat, p->n_flat_before);
-    sim_losses_print(f, lead, p->lost);
-    sim_simplify_print(f, lead, &c->model);
-    const struct sim_steps *s = &c->made.steps;
-    char text[5][32];
-    (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n", lead,
-                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]), exactly(text[2], s->origin[2]),
-                  exactly(text[3], s->step), s->fine ? ", n = pos + pos_lo / 256" : "", exactly(text[4], s->unit));
-    if (s->exact)
-        (void)fprintf(f, "%spositions: exact\n", lead);
-    else
-        (void)fprintf(f, "%spositions: off by at most %.3g, rms %.3g units (%.2g and %.2g of the extent)\n", lead,
-                      p->error_max, p->error_rms, p->error_max / extent(&c->model), p->error_rms / extent(&c->model));
-    (void)fprintf(f, "%sorder: %.2f vertices to a triangle through a cache of 16, %.2f of 32\n", lead, misses(p, 16),
-                  misses(p, 32));
-    if (p->normal_error >= 0.0)
-        (void)fprintf(f, "%snormals: off by at most %.4f degrees\n", lead, p->normal_error);
-}
-
-static void texture_figures(FILE *f, const struct sim_conversion *c, const char *lead)
-{
-    for (uint32_t i = 0; i < c->made.n_skins; i++) {
-        const struct sim_skin *s = &c->made.skin[i];
-        (void)fprintf(f, "%stexture %" PRIu32 " ", lead, i);
-        quote(f, last_name(c->model.texture[i].name));
-        (void)fprintf(f, ": %" PRIu32 " x %" PRIu32 ", %s", s->w, s->h, format_name(s->format));
-        if (s->n_colors > 0)
-            (void)fprintf(f, ", %" PRIu32 " colours", s->n_colors);
-        if (s->n_levels > 1)
-            (void)fprintf(f, ", %" PRIu32 " levels", s->n_levels);
-        if (isfinite(s->loss.psnr_db))
-            (void)fprintf(f, ", PSNR %.1f dB, a channel off by at most %.0f of 255", s->loss.psnr_db,
-                          ceil(s->loss.worst));
-        else
-            (void)fputs(", nothing lost", f);
-        if (c->made.pieces.uv_error != NULL && c->made.pieces.uv_error[i] >= 0.0)
-            (void)fprintf(f, "; coordinates off by at most %.4f texels", c->made.pieces.uv_error[i]);
-        (void)fputc('\n', f);
-    }
-}
-
-void sim_convert_figures(FILE *f, const struct sim_conversion *c, const char *lead)
-{
-    if (c->made.pieces.n_pieces > 0)
-        mesh_figures(f, c, lead);
-    else
-        sim_losses_print(f, lead, c->made.pieces.lost);
-    texture_figures(f, c, lead);
-    flash(f, c, lead);
 }
 
 /* ---- Files ----------------------------------------------------------------------------------- */
@@ -618,12 +316,13 @@ static void describe_place(FILE *f, const struct sim_conversion *c, const struct
     char text[4][32];
     (void)fprintf(f, " * Size       %ld x %ld x %ld world units; a unit of the model is %s of them.\n",
                   box->hi[0] - box->lo[0], box->hi[1] - box->lo[1], box->hi[2] - box->lo[2],
-                  exactly(text[0], s->unit));
+                  sim_text_exact(text[0], s->unit));
     (void)fprintf(f, " * Place      0,0,0 is %s.\n",
                   c->options.keep_origin ? "the model's own origin" : "the middle of the model's box");
     (void)fprintf(f, " * Positions  in the model's units: %s %s %s + %s * n, n as in the arrays%s.\n",
-                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]), exactly(text[2], s->origin[2]),
-                  exactly(text[3], s->step), s->fine ? " (pos + pos_lo / 256)" : "");
+                  sim_text_exact(text[0], s->origin[0]), sim_text_exact(text[1], s->origin[1]),
+                  sim_text_exact(text[2], s->origin[2]),
+                  sim_text_exact(text[3], s->step), s->fine ? " (pos + pos_lo / 256)" : "");
 }
 
 static void describe_use(FILE *f, const char *name, const char *big)

@@ -15,6 +15,10 @@
 
 #define SIM_EXACT_MAPPINGS 6 /* the sixth: linear in an orthographic view */
 extern const char *const sim_exact_mapping[SIM_EXACT_MAPPINGS];
+extern const struct zs_depth *const sim_exact_depth[SIM_EXACT_MAPPINGS];
+
+/* The sentence for a scene that zs_render refused. An exit status. */
+int sim_exact_refuse(int err);
 
 struct sim_exact_triangles {
     uint64_t triangles, pixels; /* compared, covered or not */

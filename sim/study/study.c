@@ -8,8 +8,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <math.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,9 +20,7 @@
 #include "output_file.h"
 #include "sim.h"
 #include "study_build.h"
-
-#define COMMON "study,build,effort,run"
-#define CORES_MAX 4
+#include "study_rows.h"
 
 static const struct study *const studies[] = { &study_time, &study_depth, &study_memory, &study_stability };
 #define N_STUDIES (sizeof studies / sizeof studies[0])
@@ -78,228 +74,12 @@ static const struct sim_help help = {
 
 /* ---- Rows -------------------------------------------------------------------------------------------------------- */
 
-void study_put(struct study_text *row, const char *format, ...)
-{
-    va_list args;
-    if (row->n > 0 && row->n + 1 < sizeof row->text)
-        row->text[row->n++] = ',';
-    va_start(args, format);
-    const int n = vsnprintf(row->text + row->n, sizeof row->text - row->n, format, args);
-    va_end(args);
-    row->n += n < 0 ? 0 : (size_t)n;
-    if (row->n >= sizeof row->text) {
-        (void)sim_refuse(NULL, 0, "a row of a study is too long");
-        exit(SIM_REFUSED);
-    }
-}
-
-void study_skip(struct study_text *row, int n)
-{
-    for (; n > 0; n--)
-        study_put(row, "%s", "");
-}
-
-static void header_of(const struct study *study, struct study_text *row)
-{
-    row->n = 0;
-    study_put(row, "%s", COMMON);
-    study_put(row, "%s", study->params);
-    study_put(row, "%s", study->results);
-}
-
 /* A row's beginning: all that is known before it is measured. */
 static void begin_row(const struct study *study, enum study_effort effort, size_t run, struct study_text *row)
 {
     row->n = 0;
     study_put(row, "%s,%s,%s,%zu", study->name, STUDY_BUILD, effort_name[effort], run);
     study->describe(run, row);
-}
-
-/* ---- Tables ------------------------------------------------------------------------------------------------------ */
-
-static size_t count_commas(const char *text)
-{
-    size_t n = 0;
-    for (; *text; text++)
-        n += *text == ',';
-    return n;
-}
-
-static size_t column_of(const struct study *study, const char *name)
-{
-    struct study_text head;
-    const size_t length = strlen(name);
-    size_t k = 0;
-    header_of(study, &head);
-    for (const char *at = head.text; at; k++) {
-        const char *comma = strchr(at, ',');
-        const size_t n = comma ? (size_t)(comma - at) : strlen(at);
-        if (n == length && !memcmp(at, name, n))
-            return k;
-        at = comma ? comma + 1 : NULL;
-    }
-    (void)sim_refuse(NULL, 0, "study %s has no column %s", study->name, name);
-    abort();
-}
-
-const char *study_cell(const struct study_table *t, size_t row, const char *column)
-{
-    return t->cell[row * t->n_columns + column_of(t->study, column)];
-}
-
-double study_number(const struct study_table *t, size_t row, const char *column)
-{
-    const char *text = study_cell(t, row, column);
-    char *end;
-    const double v = strtod(text, &end);
-    return end == text || *end ? (double)NAN : v;
-}
-
-size_t study_most(const struct study_table *t, const char *column)
-{
-    size_t most = 0;
-    for (size_t r = 1; r < t->n_rows; r++)
-        if (study_number(t, r, column) > study_number(t, most, column))
-            most = r;
-    return most;
-}
-
-int study_is(const struct study_table *t, size_t row, const char *column, const char *text)
-{
-    return !strcmp(study_cell(t, row, column), text);
-}
-
-/* A file's text, with a 0 behind it. NULL: it cannot be read, errno says why. */
-static char *read_text(const char *path, size_t *n)
-{
-    FILE *f = fopen(path, "rb");
-    size_t room = 65536;
-    if (!f)
-        return NULL;
-    char *text = sim_alloc(room, 1);
-    *n = 0;
-    for (size_t got; (got = fread(text + *n, 1, room - *n - 1, f)) > 0;)
-        if (*n += got, room - *n < 2)
-            text = sim_grow(text, room *= 2, 1);
-    text[*n] = '\0';
-    const int bad = ferror(f);
-    (void)fclose(f);
-    if (bad) {
-        free(text);
-        return NULL;
-    }
-    return text;
-}
-
-static int table_load(struct study_table *t, const struct study *study, enum study_effort effort, const char *path)
-{
-    size_t n;
-    struct study_text head;
-    memset(t, 0, sizeof *t);
-    t->bytes = read_text(path, &n);
-    if (!t->bytes)
-        return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
-    header_of(study, &head);
-    t->study = study;
-    t->effort = effort;
-    t->n_columns = count_commas(head.text) + 1;
-    for (const char *at = strchr(t->bytes, '\n'); at && at[1]; at = strchr(at + 1, '\n'))
-        t->n_rows++;
-    t->cell = sim_alloc(t->n_rows * t->n_columns, sizeof *t->cell);
-    char *at = strchr(t->bytes, '\n');
-    for (size_t r = 0; at && r < t->n_rows; r++)
-        for (size_t c = 0; c < t->n_columns; c++) {
-            *at++ = '\0';
-            t->cell[r * t->n_columns + c] = at;
-            at += strcspn(at, ",\n");
-        }
-    if (at)
-        *at = '\0';
-    return SIM_OK;
-}
-
-static void table_free(struct study_table *t)
-{
-    free(t->cell);
-    free(t->bytes);
-}
-
-/* ---- Counts from boards ------------------------------------------------------------------------------------------ */
-
-static struct core {
-    char name[16];
-    size_t n;
-    struct {
-        unsigned long long instructions, checksum;
-    } *run;
-} cores[CORES_MAX];
-static size_t n_cores;
-
-unsigned long long study_counted(const char *core, size_t run, unsigned long long *checksum)
-{
-    for (size_t k = 0; k < n_cores; k++)
-        if (!strcmp(cores[k].name, core) && run < cores[k].n) {
-            *checksum = cores[k].run[run].checksum;
-            return cores[k].run[run].instructions;
-        }
-    return 0;
-}
-
-const char *study_cores(void)
-{
-    static char text[CORES_MAX * 17];
-    size_t n = 0;
-    for (size_t k = 0; k < n_cores; k++)
-        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", k ? "+" : "", cores[k].name);
-    return n_cores ? text : "none";
-}
-
-/* Lines "run,checksum,instructions" among others. */
-static int core_load(const char *name, const char *path)
-{
-    size_t n;
-    char *text = read_text(path, &n);
-    struct core *c = &cores[n_cores++];
-    if (!text)
-        return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
-    (void)snprintf(c->name, sizeof c->name, "%s", name);
-    for (char *line = text; *line;) {
-        unsigned long long run, checksum, instructions;
-        if (sscanf(line, "%llu,%llx,%llu", &run, &checksum, &instructions) == 3 && run < 1000000) {
-            if (run >= c->n) {
-                c->run = sim_grow(c->run, run + 1, sizeof *c->run);
-                memset(c->run + c->n, 0, (run + 1 - c->n) * sizeof *c->run);
-                c->n = run + 1;
-            }
-            c->run[run].checksum = checksum;
-            c->run[run].instructions = instructions;
-        }
-        line += strcspn(line, "\n");
-        line += *line == '\n';
-    }
-    free(text);
-    return c->n ? SIM_OK
-                : sim_refuse(path, 0,
-                             "holds no counts: lines of run,checksum,instructions as firmware/app/study.c "
-                             "writes them");
-}
-
-static int cores_load(const char *list)
-{
-    char text[4096];
-    if (strlen(list) >= sizeof text)
-        return sim_usage("--counts: too long");
-    (void)snprintf(text, sizeof text, "%s", list);
-    for (char *save, *word = strtok_r(text, ",", &save); word; word = strtok_r(NULL, ",", &save)) {
-        char *file = strchr(word, '=');
-        if (!file || file == word || file - word > 15 || !file[1] || n_cores == CORES_MAX)
-            return sim_usage("--counts takes CORE=FILE, at most %d with commas between, not '%s'", CORES_MAX, word);
-        *file++ = '\0';
-        const int status = core_load(word, file);
-        if (status != SIM_OK)
-            return status;
-    }
-    return SIM_OK;
 }
 
 /* ---- A sweep ----------------------------------------------------------------------------------------------------- */
@@ -322,7 +102,7 @@ static long kept_bytes(const struct sweep *s, const char *text, size_t *next, co
 {
     struct study_text row;
     const char *at = text;
-    header_of(s->study, &row);
+    study_header(s->study, &row);
     row.text[row.n] = '\0';
     *next = first_run(s->rq);
     if (!strchr(text, '\n'))
@@ -358,7 +138,7 @@ static int sweep_open(struct sweep *s, size_t *next)
     const char *why = NULL;
     size_t n;
     long keep = 0;
-    char *text = read_text(s->csv, &n);
+    char *text = study_read(s->csv, &n);
     *next = first_run(s->rq);
     if (text) {
         keep = kept_bytes(s, text, next, &why);
@@ -374,7 +154,7 @@ static int sweep_open(struct sweep *s, size_t *next)
     if (flock(fd, LOCK_EX | LOCK_NB))
         return sim_refuse(s->part, 0, "another zsim is writing this sweep; wait for it, or take another --out");
     keep = 0;
-    text = read_text(s->part, &n);
+    text = study_read(s->part, &n);
     if (text)
         keep = kept_bytes(s, text, next, &why);
     free(text);
@@ -388,7 +168,7 @@ static int sweep_open(struct sweep *s, size_t *next)
         return sim_refuse(s->part, 0, "cannot be written: %s", strerror(errno));
     if (keep == 0) {
         struct study_text row;
-        header_of(s->study, &row);
+        study_header(s->study, &row);
         (void)fprintf(s->file, "%.*s\n", (int)row.n, row.text);
     }
     return SIM_OK;
@@ -418,12 +198,12 @@ static int sweep_run(struct sweep *s)
 static int report(const struct study *study, enum study_effort effort, const char *dir, const char *csv)
 {
     struct study_table t;
-    int status = table_load(&t, study, effort, csv);
+    int status = study_table_load(&t, study, effort, csv);
     if (status != SIM_OK)
         return status;
     struct study_page *page = study_page_open(dir, study, t.n_rows);
     status = page ? study_page_close(page, study->report(page, &t)) : SIM_REFUSED;
-    table_free(&t);
+    study_table_free(&t);
     if (status == SIM_OK)
         printf("%s, %s/index.html\n", csv, dir);
     return status;
@@ -510,7 +290,7 @@ static int merge_file(struct merge *m, const char *path)
 {
     size_t n;
     int status = SIM_OK;
-    char *text = read_text(path, &n);
+    char *text = study_read(path, &n);
     if (!text)
         return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
     unsigned long number = 1;
@@ -527,7 +307,7 @@ static int merge_file(struct merge *m, const char *path)
         if (status == SIM_OK && number > 1)
             status = merge_row(m, path, number, line);
         if (number == 2 && status == SIM_OK) {
-            header_of(m->study, &head);
+            study_header(m->study, &head);
             if (strcmp(text, head.text))
                 status = sim_refuse(path, 1, "has other columns than study %s; make its rows again with this zsim",
                                     m->study->name);
@@ -549,7 +329,7 @@ static int merge_write(const struct merge *m, const char *csv)
     int status = sim_output_open(&out, csv);
     if (status != SIM_OK)
         return status;
-    header_of(m->study, &head);
+    study_header(m->study, &head);
     (void)fprintf(out.file, "%.*s\n", (int)head.n, head.text);
     for (size_t k = 0; k < m->runs; k++)
         (void)fprintf(out.file, "%s\n", m->row[k]);
@@ -661,7 +441,7 @@ int sim_study(int argc, char **argv)
             if (rq.has_run)
                 return print_run(studies[k], &rq);
             status = rq.counts && !studies[k]->settings ? sim_usage("study %s takes no --counts", argv[0])
-                     : rq.counts                        ? cores_load(rq.counts)
+                     : rq.counts                        ? study_counts_load(rq.counts)
                                                         : SIM_OK;
             return status == SIM_OK ? sweep(studies[k], &rq) : status;
         }
