@@ -133,11 +133,18 @@ $(MESH_OBJ): override OPT = -O1
 $(MESH_OBJ): override DEBUG =
 $(MESH_OBJ): override LEAN = 0
 
+# Said where an image is too large for its board
+FULL = $(BOARD): $(NAME) does not fit it. Pools take most of the RAM: give fewer triangles, vertices or \
+       rows of a strip, in your program or, for the show, by \
+       DEFINES="-DSHOW_TRIS_MAX=500 -DSHOW_VERTS_MAX=500 -DSHOW_ROWS_MAX=8". zsim budget says what fits.
+
 .DELETE_ON_ERROR:
 run: $(ELF)
 	@$(BOARD_RUN) $(ELF)
 $(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS) $(LINKED)
-	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) $(BOARD_LIBS) -o $@
+	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) $(BOARD_LIBS) -o $@ 2>$@.log || \
+	    { cat $@.log >&2; ! grep -q overflowed $@.log || echo '$(FULL)' >&2; exit 1; }
+	@cat $@.log >&2; rm -f $@.log
 $(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED) $(FLAGGED)
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) $(APP_FLAGS) -c $< -o $@

@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 #include <string.h>
+#include <strings.h>
 
 #include "frame.h"
 #include "line_style.h"
@@ -304,6 +305,17 @@ static int check_style(const struct sim_options *o)
     return SIM_OK;
 }
 
+/* Does a name end as a picture of another kind? */
+static int is_no_png(const char *name)
+{
+    static const char *const other[] = { ".jpg", ".jpeg", ".gif", ".bmp", ".ppm", ".webp", ".mp4" };
+    const char *end = strrchr(name, '.');
+    for (size_t k = 0; end != NULL && k < sizeof other / sizeof other[0]; k++)
+        if (strcasecmp(end, other[k]) == 0)
+            return 1;
+    return 0;
+}
+
 int sim_options_parse(struct sim_options *o, int argc, char **argv)
 {
     char seen[N_TABLE] = { 0 };
@@ -315,6 +327,8 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("a model is missing: zsim render MODEL --out FRAME.png");
     if (o->out == NULL)
         return sim_usage("--out is missing: zsim render MODEL --out FRAME.png");
+    if (o->turntable == 0 && is_no_png(o->out))
+        return sim_usage("--out %s: the frame is a PNG; name it .png (--turntable writes GIF and MP4, too)", o->out);
     if (o->reference && o->compare)
         return sim_usage("--compare draws the reference too: leave --reference out");
     if (o->threads != 0 && o->reference)

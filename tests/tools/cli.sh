@@ -860,6 +860,8 @@ usage no_command 'command'
 usage unknown_command 'draw' draw quad.obj
 usage no_model 'model' render --out refused/x.png
 usage no_out 'out' render quad.obj
+usage out_jpeg 'the frame is a PNG' render quad.obj --out refused/x.JPG
+usage out_gif 'turntable writes GIF' render quad.obj --out refused/x.gif
 usage nothing 'model' render
 usage two_models 'two' render quad.obj two.obj --out refused/x.png
 usage empty_model 'model' render '' --out refused/x.png

@@ -95,6 +95,11 @@ z new panes.obj --out opaque
 project opaque test BOARD=host || wrong "$(tail -3 made.txt)"
 cmp -s panes/build/host/test_1.bin opaque/build/host/test_1.bin && wrong 'glass is as opaque as what is not'
 
+begin new_says_what_does_not_fit
+sed -i 's/^#define ROWS .*/#define ROWS 240/; s/^#define TRIS .*/#define TRIS 9000/' opaque/main.c
+project opaque image BOARD=pico && wrong 'it fits'
+grep -q '^pico: opaque does not fit it. Pools take most of the RAM' made.txt || wrong "$(tail -3 made.txt)"
+
 begin new_draws_in_the_emulator_as_on_the_host
 if [ -d "$build/pico/node_modules" ]; then
     cp -r "$build/pico/node_modules" pico/zstrip/emulator/
