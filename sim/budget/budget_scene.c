@@ -274,8 +274,8 @@ static void guess(struct budget *b, const struct budget_request *rq)
                                 : rq->o.texel == SIM_TEXEL_PAL8 ? SIM_COST_fetch_pal8_px : SIM_COST_fetch_pal4_px;
     const enum sim_cost direct = rq->o.texel == SIM_TEXEL_565 ? SIM_COST_won_565
                                  : rq->o.texel == SIM_TEXEL_PAL8 ? SIM_COST_won_pal8 : SIM_COST_won_pal4;
-    /* three edges, half of them not steep; taken up again every 16 rows and in every strip, both of the sides */
-    const double again = rows / 16.0 + setups - tris;
+    /* three edges, half of them not steep; taken up again after every 16 rows and in every strip, both of the sides */
+    const double again = (high > 16.0 ? rows / 16.0 : 0.0) + setups - tris;
     const double edges = 3.0 * tris + 2.0 * again, divided = 1.5 * tris + 2.0 * again;
     double *n = b->counted.n;
     n[SIM_COST_frame] = 1;

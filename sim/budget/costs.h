@@ -32,6 +32,8 @@
     X(light_texture, "vertex", "its texture coordinates and light")                                             \
     X(tri, "triangle", "triangle looked at and turned away")                                                    \
     X(tri_looked, "triangle", "more where the pool does not hold the mesh")                                     \
+    X(tri_noted, "triangle", "more where the rows of its part are noted")                                       \
+    X(vertex_packed, "vertex", "vertex in a full pool that is packed")                                          \
     X(tri_asked, "triangle", "more where it is 128 px wide or high, or the frame at most 160")                  \
     X(tri_box, "triangle", "more where it faces the eye: box, off screen or empty")                             \
     X(tri_bin, "triangle", "more where it is seen: bin")                                                        \

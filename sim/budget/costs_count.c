@@ -11,8 +11,10 @@
 #include "core/rows.h"
 #include "costs.h"
 #include "frame.h"
+#include "core/assemble.h"
 #include "core/fast.h"
 #include "core/xform.h"
+#include "fast/parts.h"
 #include "shade/texture.h"
 #include "zs_shader.h"
 #include "sim.h"
@@ -63,7 +65,14 @@ static struct {
     uint64_t tested;  /* pixels found here */
     double setups;    /* counted here */
     uint32_t band_end, walks, checksum;
-    uint8_t by_number; /* flag: some mesh was not transformed at once */
+    const struct zs_fast_batch *batch_of; /* what `batch` stands for */
+    struct zs_fast_batch batch;
+    struct zs_fast batch_fast;
+    struct binned { /* what it was handed, in the first walk, [0], and in the others */
+        double instances, tris, boxed;
+        double gathered; /* of tris: of meshes that were not transformed at once */
+    } binned[2];
+    uint32_t unpacked, band; /* when it met a full pool: vertices not packed yet, the band's end */
     const struct zs_job *job; /* whose run is coloured; NULL: none */
     uint8_t wide, huge; /* flags, of the triangle that was set up last: how its planes are found */
     uint8_t linear;    /* flag: keys are linear on the screen in this view */
@@ -270,7 +279,6 @@ static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t 
         now.n[SIM_COST_vertex_test]++;
     if (r->xform.instance->mesh->pos_lo)
         now.n[SIM_COST_vertex_fine]++;
-    now.by_number |= !r->direct;
     count_instance(r);
     return now.of->vertex(view, z, rcp, lz);
 }
@@ -548,6 +556,67 @@ static void on_small_lit(struct zs_job *job, const struct zs_texture *t, struct 
     texel_of(t->format)->fast_of->small_lit(job, t, rows);
 }
 
+/* ---- Walks -------------------------------------------------------------------------------------- */
+
+static void on_needs(struct zs_renderer *r, const struct zs_bounds *b)
+{
+    now.binned[!r->counting].instances++;
+    now.batch_of->needs(r, b);
+}
+
+/* Triangles of [from, end) that are looked at: not those of parts that do not reach the band. */
+static uint32_t looked_at(const struct zs_renderer *r, uint32_t from, uint32_t end)
+{
+    uint32_t n, all = 0;
+    if (!r->parts_tris)
+        return end - from;
+    for (; from < end && (n = zs_parts_next(r, &from, end, UINT32_MAX)) > 0; from += n)
+        all += n;
+    return all;
+}
+
+static uint32_t on_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate, uint32_t *piece)
+{
+    struct binned *b = &now.binned[!r->counting];
+    const uint32_t before = fate[ZS_FATE_DRAWN] + fate[ZS_FATE_OFFSCREEN] + fate[ZS_FATE_EMPTY];
+    const uint32_t reached = now.batch_of->bin(r, from, end, fate, piece), looked = looked_at(r, from, reached);
+    b->tris += looked;
+    b->gathered += r->direct ? 0 : looked;
+    b->boxed += fate[ZS_FATE_DRAWN] + fate[ZS_FATE_OFFSCREEN] + fate[ZS_FATE_EMPTY] - before;
+    if (r->parts_tris && (r->counting || r->noting))
+        now.n[SIM_COST_tri_noted] += looked;
+    now.unpacked = r->n_verts - r->vert_packed;
+    now.band = r->band_end;
+    return reached;
+}
+
+/* Room has been made: all vertices are packed where the band has lost strips. */
+static void on_full(struct zs_renderer *r, uint32_t t)
+{
+    now.n[SIM_COST_vertex_packed] += r->band_end < now.band ? r->config.max_verts : now.unpacked;
+    now.batch_of->full(r, t);
+}
+
+static void copy_batch(const struct zs_fast *const *list)
+{
+    while (list && *list && !(*list)->batch)
+        list++;
+    if (!list || !*list)
+        return;
+    now.batch_of = (*list)->batch;
+    now.batch = *now.batch_of;
+    now.batch.needs = on_needs;
+    now.batch.bin = on_bin;
+    now.batch.full = on_full;
+    now.batch_fast.batch = &now.batch;
+}
+
+/* How often all walks do what the first one does. */
+static double walks_of(double first, double others)
+{
+    return first > 0.0 ? 1.0 + others / first : now.walks;
+}
+
 /* ---- Copies ------------------------------------------------------------------------------------- */
 
 static void copy_shader(struct our_shader *s, const struct zs_shader *of)
@@ -626,10 +695,12 @@ static void copy(struct zs_instance *in, struct thing *t, const struct zs_fast *
 /* Accelerators of the frame, and those of n things. */
 static const struct zs_fast **list_of(const struct zs_fast *const *list, const struct thing *things, size_t n)
 {
-    size_t room = 2u * n + 1u, k = 0;
+    size_t room = 2u * n + 2u, k = 0;
     for (const struct zs_fast *const *at = list; at && *at; at++)
         room++;
     const struct zs_fast **out = sim_alloc(room, sizeof *out);
+    if (now.batch_of)
+        out[k++] = &now.batch_fast; /* in place of the list's: the first is used */
     for (; list && *list; list++)
         if (!(*list)->shader && !(*list)->format)
             out[k++] = *list;
@@ -702,16 +773,17 @@ static void count_frame(const struct zs_config *config, const struct zs_stats *s
     n[SIM_COST_frame] = 1;
     n[SIM_COST_strip] = s->strips;
     n[SIM_COST_clear_px] = (double)config->width * config->height - s->pixels_untested;
-    n[SIM_COST_instance] = walks * walked;
+    n[SIM_COST_instance] = walked * walks_of(now.binned[0].instances, now.binned[1].instances);
     n[SIM_COST_instance_culled] = walks * s->instances_culled;
     n[SIM_COST_vertex_out] =
         s->verts_transformed - (n[SIM_COST_vertex] + n[SIM_COST_vertex_recip] + n[SIM_COST_vertex_linear] +
                                                      n[SIM_COST_vertex_ortho]);
     if (n[SIM_COST_vertex_out] < 0) /* clipping projects too */
         n[SIM_COST_vertex_out] = 0;
-    n[SIM_COST_tri] = walks * (s->tris_in - s->tris_frustum);
-    n[SIM_COST_tri_looked] = now.by_number ? n[SIM_COST_tri] : 0.0;
-    n[SIM_COST_tri_box] = walks * (s->tris_drawn + s->tris_offscreen + s->tris_empty);
+    n[SIM_COST_tri] = (s->tris_in - s->tris_frustum) * walks_of(now.binned[0].tris, now.binned[1].tris);
+    n[SIM_COST_tri_looked] = now.binned[0].gathered + now.binned[1].gathered;
+    n[SIM_COST_tri_box] = (s->tris_drawn + s->tris_offscreen + s->tris_empty) *
+                          walks_of(now.binned[0].boxed, now.binned[1].boxed);
     n[SIM_COST_tri_clip] = walks * s->tris_clipped;
     n[SIM_COST_tri_hidden] = s->tris_hidden;
     n[SIM_COST_setup_empty] += s->tris_setup - now.setups;
@@ -771,6 +843,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
         instance[i] = scene->instance[i];
         copy(&instance[i], &things[i], config->fast);
     }
+    copy_batch(config->fast);
     const struct zs_fast **fast = list_of(config->fast, things, n);
     with.fast = fast;
     ours.instance = instance;

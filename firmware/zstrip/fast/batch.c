@@ -350,7 +350,7 @@ static ZS_NOINLINE uint32_t by_batches(struct sweep *s, uint32_t from, uint32_t 
             tri = (const uint16_t(*)[3])corner;
             s->n_verts = r->n_verts;
         }
-        if (r->parts_tris)
+        if (r->parts_tris && zs_parts_noted(r, from))
             zs_parts_note(r, from, s->pool, tri, left, list(s, tri, n, left));
         reached = counted(s, from, from + n, tri);
         if (reached < from + n)

@@ -21,6 +21,8 @@ int zs_parts_whole(const struct zs_renderer *r);
 /* Move *from on to a part that reaches the band. Return how many of n triangles are in that part; 0
  * if there is none before `end`. */
 uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end, uint32_t n);
+/* Return 1 if the rows of triangles from `from` on have to be noted. They are in one part. */
+int zs_parts_noted(struct zs_renderer *r, uint32_t from);
 /* Note the rows of n triangles of one part, which begins at triangle `from` or before it. The k-th
  * of them has the vertices pool[tri[left[k] / 4]]; with left[k] & 2 it may have a vertex number
  * that is out of range, or vertices that are not on the screen. */
