@@ -177,8 +177,11 @@ static int refuse_scene(const char *name)
 static int of_demo(struct budget *b, const struct budget_request *rq)
 {
     const struct demo *d = sim_demo_named(rq->scene);
-    if (d == NULL || sim_demo_piece(d) != NULL)
+    if (d == NULL)
         return refuse_scene(rq->scene);
+    if (sim_demo_piece(d) != NULL)
+        return sim_refuse(NULL, 0, "--scene %s: it has effects, whose time is not estimated; `make pico` measures it, "
+                                   "zsim budget --effects says what a pixel takes", rq->scene);
     const int own = !rq->o.has_size && rq->o.panel.name == NULL;
     const uint16_t w = own ? d->width : (uint16_t)rq->o.size[0], h = own ? d->height : (uint16_t)rq->o.size[1];
     struct demo_frame *f = sim_alloc(1, sizeof *f);
