@@ -102,7 +102,7 @@ static void judge_pixels(struct study_frame *f, const struct sim_truth *t, const
                 f->wrong[at] = a && b && !sim_judge_same_plane(&t->tri[a - 1], &t->tri[b - 1]);
                 f->surface += f->wrong[at];
                 f->unexplained += sim_judge_pixel(judge, a, b, x, y) == SIM_WRONG;
-            } else if (a) {
+            } else if (a && ours->key) {
                 double off = fabs(ours->key[at] - fmin(fmax(t->image.exact_key[at], 0), top));
                 if (off > 0.5)
                     off -= sim_judge_key_slack(judge, a, x, y);
@@ -130,6 +130,8 @@ int study_frame_open(struct study_frame *f, const struct zs_scene *scene, const 
     f->arena_bytes = frame.arena_bytes;
     f->checksum = study_checksum(frame.rgb565, n);
     f->wrong = sim_alloc(n, 1);
+    if (sim_frame_no_keys(config))
+        ours.key = NULL;
     err = sim_frame_ids(ours.id, scene, camera, config);
     if (!err && textured)
         err = sim_frame_texels(ours.texel, scene, camera, config);

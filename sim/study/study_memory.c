@@ -150,7 +150,7 @@ static void settings(size_t i, FILE *out)
     for (int m = 0; m < STUDY_MAPPINGS; m++)
         if (study_mapping[m].depth == c.depth)
             mapping = study_mapping[m].name;
-    (void)fprintf(out, "{ %zu, &demo_%s, %u, %u, %u, %u, 8, 16, &zs_depth_%s, 1, 10, 3 },\n", i,
+    (void)fprintf(out, "{ %zu, &demo_%s, %u, %u, %u, %u, 8, 16, &zs_depth_%s, 0, 1, 10, 2 },\n", i,
                   scenes[r->scene].demo->name, c.strip_h, c.max_tris, c.max_verts, c.buffers, mapping);
 }
 

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "frame.h"
+#include "method_names.h"
 #include "scenes.h"
 #include "sim.h"
 #include "study_measure.h"
@@ -37,6 +38,7 @@ static const struct build {
 
 static struct run {
     int scene, subpixel, mapping, bits, build;
+    int method; /* of sim_methods */
 } *runs;
 static size_t n_runs;
 static enum study_effort planned;
@@ -44,7 +46,14 @@ static enum study_effort planned;
 static void add(int scene, int subpixel, int mapping, int bits, int build)
 {
     runs = sim_grow(runs, n_runs + 1, sizeof *runs);
-    runs[n_runs++] = (struct run){ scene, subpixel, mapping, bits, build };
+    runs[n_runs++] = (struct run){ scene, subpixel, mapping, bits, build, 0 };
+}
+
+/* The default settings by another method of hidden-surface removal. */
+static void add_method(int scene, int method)
+{
+    add(scene, 8, STUDY_MAPPINGS - 1, 16, 0);
+    runs[n_runs - 1].method = method;
 }
 
 static size_t plan(enum study_effort effort)
@@ -63,10 +72,20 @@ static size_t plan(enum study_effort effort)
                 for (int subpixel = 8; subpixel >= 4 && (effort != STUDY_QUICK || bits == 16); subpixel -= 4)
                     add(s, subpixel, m, bits, 0);
         }
+    for (int s = 0; s < (effort == STUDY_QUICK ? 3 : (int)N_SCENES); s++)
+        for (int m = 1; m < SIM_METHODS; m++)
+            add_method(s, m);
     for (int b = 1; effort == STUDY_FULL && b < (int)N_BUILDS; b++)
         for (int s = 0; s < (int)N_SCENES; s++)
             add(s, 8, 5, 16, b);
     return n_runs;
+}
+
+/* The mapping of a run; "none" or "order" of methods that have one of their own. */
+static const char *mapping_name(const struct run *r)
+{
+    const struct zs_depth *own = sim_methods[r->method].depth;
+    return own == &zs_depth_none ? "none" : own == &zs_depth_order ? "order" : study_mapping[r->mapping].name;
 }
 
 static void describe(size_t i, struct study_text *row)
@@ -76,11 +95,12 @@ static void describe(size_t i, struct study_text *row)
     study_put(row, "%s", scenes[r->scene].demo->name);
     study_put(row, "%s", scenes[r->scene].shading);
     study_put(row, "%d", r->subpixel);
-    study_put(row, "%s", study_mapping[r->mapping].name);
+    study_put(row, "%s", mapping_name(r));
     study_put(row, "%d", r->bits);
     study_put(row, "%d", b->steps ? 30 : 16);
     study_put(row, "%s", b->coarse == 0 ? "30" : b->coarse == 31 ? "15" : "15 or 30");
     study_put(row, "1/%d", 1 << b->bound);
+    study_put(row, "%s", sim_methods[r->method].name);
     study_put(row, "%s", study_cores());
 }
 
@@ -95,6 +115,7 @@ static void configure(struct zs_config *config, const struct run *r)
     config->subpixel_bits = (uint8_t)r->subpixel;
     config->depth_bits = (uint8_t)r->bits;
     config->depth = study_mapping[r->mapping].depth;
+    sim_method_apply(config, &sim_methods[r->method]);
 }
 
 static int is_own(const struct build *b)
@@ -171,8 +192,12 @@ static int measure_own(size_t i, struct study_text *row)
     study_put(row, "%.4g", percent(e->id_differ, e->ref_drawn));
     study_put(row, "%.4g", percent(e->missing + e->extra, e->ref_drawn));
     study_put(row, "%.4g", percent(f.surface, e->ref_drawn));
-    study_put(row, "%.4g", e->z_mean_rel);
-    study_put(row, "%.4g", f.key_beyond);
+    if (sim_methods[runs[i].method].depth) {
+        study_skip(row, 2); /* no keys of depth */
+    } else {
+        study_put(row, "%.4g", e->z_mean_rel);
+        study_put(row, "%.4g", f.key_beyond);
+    }
     study_put(row, "%.4g", percent(e->texel_differ, e->texels));
     study_put(row, "%.4g", e->texel_max_distance);
     study_put(row, "%zu", e->channel_off);
@@ -210,9 +235,11 @@ static void settings(size_t i, FILE *out)
     d->pose(&scene, 0, d->width, d->height);
     if (sim_frame_render(&frame, &scene.scene, &scene.camera, &config, NULL) != ZS_OK)
         return; /* the board would not draw it either; measure says so */
-    (void)fprintf(out, "{ %zu, &demo_%s, 24, %u, %u, 1, %d, %d, &zs_depth_%s, %d, %d, %d },\n", i, d->name,
-                  frame.stats.max_tris_used, frame.stats.max_verts_used + 8, r->subpixel, r->bits,
-                  study_mapping[r->mapping].name, b->steps, b->coarse, b->bound);
+    const struct sim_method *method = &sim_methods[r->method];
+    (void)fprintf(out, "{ %zu, &demo_%s, 24, %u, %u, 1, %d, %d, &zs_depth_%s, %s%s, %d, %d, %d },\n", i, d->name,
+                  r->method ? sim_method_pool(method, frame.stats.max_tris_used) : frame.stats.max_tris_used,
+                  frame.stats.max_verts_used + 8, r->subpixel, r->bits, mapping_name(r),
+                  r->method ? "&zs_method_" : "0", r->method ? method->name : "", b->steps, b->coarse, b->bound);
     sim_frame_free(&frame);
 }
 
@@ -231,13 +258,15 @@ struct point {
     double m3, m0, rp2040, host; /* millions of instructions, or cycles, a frame; mean */
     double error[ERRORS];
     double buckets, codes; /* worst key, snapping taken off; part of channels that are off by a code, percent, mean */
+    const char *method; /* NULL: the depth buffer */
     int dominated;
     size_t by; /* whom */
 };
 
 static int same_setting(const struct study_table *t, size_t a, size_t b)
 {
-    static const char *const column[] = { "subpixel", "mapping", "bits", "recip_bits", "texel_recip", "span_bound" };
+    static const char *const column[] = { "subpixel", "mapping", "bits", "recip_bits", "texel_recip", "span_bound",
+                                         "method" };
     for (size_t k = 0; k < sizeof column / sizeof column[0]; k++)
         if (strcmp(study_cell(t, a, column[k]), study_cell(t, b, column[k])))
             return 0;
@@ -248,7 +277,7 @@ static int is_default(const struct study_table *t, size_t r)
 {
     return study_is(t, r, "subpixel", "8") && study_is(t, r, "mapping", "float") && study_is(t, r, "bits", "16") &&
            study_is(t, r, "recip_bits", "30") && study_is(t, r, "texel_recip", "15 or 30") &&
-           study_is(t, r, "span_bound", "1/4");
+           study_is(t, r, "span_bound", "1/4") && study_is(t, r, "method", "zbuffer");
 }
 
 static void point_add(struct point *p, const struct study_table *t, size_t r)
@@ -258,6 +287,8 @@ static void point_add(struct point *p, const struct study_table *t, size_t r)
     p->m0 += study_number(t, r, "m0") / 1e6;
     p->rp2040 += study_number(t, r, "rp2040") / 1e6;
     p->host += study_number(t, r, "host") / 1e6;
+    if (!study_is(t, r, "method", "zbuffer"))
+        p->method = study_cell(t, r, "method");
     p->buckets = fmax(p->buckets, study_number(t, r, "depth_worst"));
     p->codes += study_number(t, r, "colour_by_one");
     p->error[0] += study_number(t, r, "wrong") + study_number(t, r, "cover");
@@ -268,7 +299,7 @@ static void point_add(struct point *p, const struct study_table *t, size_t r)
     p->error[5] += pow(10, study_number(t, r, "psnr") / -10);
 }
 
-/* a is as good as b in everything and better in something. */
+/* a is as good as b in everything and better in something. Depth is not compared where a method has no keys (NAN). */
 static int dominates(const struct point *a, const struct point *b)
 {
     int better = a->m3 < b->m3 * (1 - TIE), worse = a->m3 > b->m3 * (1 + TIE);
@@ -332,15 +363,17 @@ static const char *words(const struct study_table *t, size_t r)
         n += (size_t)snprintf(out + n, sizeof text[0] - n, ", pixels' of %s", study_cell(t, r, "texel_recip"));
     if (!study_is(t, r, "span_bound", "1/4"))
         (void)snprintf(out + n, sizeof text[0] - n, ", spans to %s", study_cell(t, r, "span_bound"));
+    if (!study_is(t, r, "method", "zbuffer"))
+        (void)snprintf(out, sizeof text[0], "method %s", study_cell(t, r, "method"));
     return out;
 }
 
-/* Points of a mapping, m = STUDY_MAPPINGS: of all; group 0: dominated by none, 1: dominated, 2: the default. */
+/* Points of a mapping with the depth buffer, m = STUDY_MAPPINGS: of all; group 0: dominated by none, 1: dominated, 2: the default. */
 static void block(FILE *f, const struct study_table *t, const struct point *p, size_t n, int e, int m, int group)
 {
     (void)fprintf(f, "$p%d_%d_%d << EOD\n-1\t-1\n", e, m, group);
     for (size_t k = 0; k < n; k++)
-        if ((m == STUDY_MAPPINGS || study_is(t, p[k].row, "mapping", study_mapping[m].name)) &&
+        if ((m == STUDY_MAPPINGS || (!p[k].method && study_is(t, p[k].row, "mapping", study_mapping[m].name))) &&
             (group == 2 ? is_default(t, p[k].row) : p[k].dominated == group))
             (void)fprintf(f, "%.6g\t%.6g\n", p[k].m3, p[k].error[e]);
     (void)fputs("EOD\n", f);
@@ -399,6 +432,26 @@ static int plot_front(struct study_page *page, const struct study_table *t, cons
     return study_plot_close(
         page, "Time against error, means over all scenes (texels: the worst). Filled: dominated by no setting; "
               "hollow: dominated; orange ring: the default.");
+}
+
+/* Methods of hidden-surface removal with the default settings: time against wrong pixels, both logarithmic. */
+static int plot_methods(struct study_page *page, const struct study_table *t, const struct point *p, size_t n)
+{
+    FILE *f = study_plot_open(page, "methods", 860, 460);
+    if (!f)
+        return SIM_REFUSED;
+    (void)fputs("$methods << EOD\n", f);
+    for (size_t k = 0; k < n; k++)
+        if (p[k].method || is_default(t, p[k].row))
+            (void)fprintf(f, "%.6g\t%.6g\t%s\n", p[k].m3, fmax(p[k].error[0], 1e-3),
+                          p[k].method ? p[k].method : "zbuffer");
+    (void)fputs("EOD\nset logscale xy\nset xlabel 'M instructions a frame, Cortex-M3'\n"
+                "set ylabel 'wrong or missing pixels, %'\nset yrange [0.0005:100]\nset offsets graph 0.1, graph 0.2, 0, 0\n"
+                "plot $methods with points pt 7 ps 1.2 lc rgb '#1f77b4' notitle, $methods using 1:2:3 with labels left "
+                "offset 1,0.6 notitle\n",
+                f);
+    return study_plot_close(page, "Methods of hidden-surface removal, means over all scenes, with the default settings. "
+                                  "Below a thousandth of a per cent: drawn there.");
 }
 
 /* Measured once with the same scenes at 320x240: instructions in millions on the M3, wrong triangles in percent. */
@@ -493,10 +546,13 @@ static void table_front(struct study_page *page, const struct study_table *t, co
                 next = j;
         done[next] = 1;
         const struct point *q = &p[next];
-        study_table_row(page, "%s|%s%s|%s|%s|%s|%s|%.4f|%.4f|%.2e|%.3f|%.3f|%.3f|%.3f|%.2f", words(t, q->row),
+        char depth[48] = "|";
+        if (!isnan(q->error[2]))
+            (void)snprintf(depth, sizeof depth, "%.2e|%.3f", q->error[2], q->buckets);
+        study_table_row(page, "%s|%s%s|%s|%s|%s|%s|%.4f|%.4f|%s|%.3f|%.3f|%.3f|%.2f", words(t, q->row),
                         is_default(t, q->row) ? "default, " : "", q->dominated ? "dominated" : "front", millions(q->m3),
-                        millions(q->m0), millions(q->rp2040), millions(q->host), q->error[0], q->error[1], q->error[2],
-                        q->buckets, q->error[3], q->error[4], q->codes, fmin(-10 * log10(q->error[5]), 99.99));
+                        millions(q->m0), millions(q->rp2040), millions(q->host), q->error[0], q->error[1], depth,
+                        q->error[3], q->error[4], q->codes, fmin(-10 * log10(q->error[5]), 99.99));
     }
     free(done);
     study_table_close(
@@ -563,7 +619,7 @@ static void range(struct study_page *page, const struct study_table *t, const st
     *lo = 0.95 * p[at].m3;
     *hi = 1.05 * p[at].m3;
     for (size_t k = 0; k < n && length < sizeof beyond - 200; k++)
-        if (p[k].m3 < *lo || p[k].m3 > *hi)
+        if (!p[k].method && (p[k].m3 < *lo || p[k].m3 > *hi))
             length += (size_t)snprintf(beyond + length, sizeof beyond - length, "%s%s: %.3f", length ? "; " : "",
                                        words(t, p[k].row), p[k].m3);
     if (length)
@@ -575,7 +631,7 @@ static int report(struct study_page *page, const struct study_table *t)
     struct point *p;
     study_say(
         page,
-        "Varied: sub-pixel bits, depth mapping and its bits, and, in the full sweep, the bits of reciprocals and how "
+        "Varied: sub-pixel bits, depth mapping and its bits, the method of hidden-surface removal, and, in the full sweep, the bits of reciprocals and how "
         "far from the truth a span may be affine; each in bench scenes of every kind of shading, one pass, strips of "
         "24 rows.");
     int status = picture(page, t);
@@ -593,6 +649,8 @@ static int report(struct study_page *page, const struct study_table *t)
     double lo, hi;
     range(page, t, p, n, &lo, &hi);
     status = plot_front(page, t, p, n, lo, hi);
+    if (status == SIM_OK)
+        status = plot_methods(page, t, p, n);
     if (status == SIM_OK) {
         say_default(page, t, p, n);
         table_front(page, t, p, n);
@@ -619,7 +677,7 @@ static int report(struct study_page *page, const struct study_table *t)
 
 const struct study study_time = {
     .name = "time", .what = "run time against error",
-    .params = "scene,shading,subpixel,mapping,bits,recip_bits,texel_recip,span_bound,counted",
+    .params = "scene,shading,subpixel,mapping,bits,recip_bits,texel_recip,span_bound,method,counted",
     .results = "pixels,wrong,cover,surface,depth_mean,depth_worst,texels_off,texel_worst,colour_off,colour_by_one,psnr,"
                "checksum,"
                "m3,m0,rp2040,host",
