@@ -1105,7 +1105,7 @@ static const struct mistake more[] = {
     { "face_raw, flat", NULL, face_raw, 0, BLACK },
     { "n_tris of numbers", NULL, n_tris_36, 0, I0 ": 30 of 36 triangles name a vertex twice, and are never drawn" },
     { "an array half filled", NULL, half_empty, 0, I0 ": 6 of 12 triangles name a vertex twice" },
-    { "wound both ways", NULL, half_turned, 0, I0 ": triangles 0 and 1 of its mesh are neighbours, and wound" },
+    { "wound both ways", NULL, half_turned, 0, I0 ": triangles 0 and * of its mesh are neighbours, and wound" },
     { "radius in units", NULL, radius_in_units, 0, I0 ": mesh.radius is 2000 steps of the mesh, and 2 holds" },
     { "centre", NULL, middle_off, 0, I0 " is out of view", 2 },
     { "normals 0", smooth, normals_0, 0, I0 ": all normals of its mesh are 0: it gets ambient light alone" },

@@ -104,20 +104,23 @@ static int same_edge(const uint16_t a[3], const uint16_t b[3])
     return 0;
 }
 
-/* Neighbours that are wound against each other: one of the two is seen from behind. */
+/* A triangle that is wound against two neighbours or more: one of them is seen from behind. (One
+ * alone may be a fin, which shares an edge with two others.) */
 static void say_neighbours(struct zs_explainer *e, uint32_t i)
 {
     const struct zs_mesh *const m = e->scene->instance[i].mesh;
     const uint32_t n = zs_minu32(m->n_tris, EDGES_OF);
     for (uint32_t a = 0; a < n; a++)
-        for (uint32_t b = a + 1; b < n; b++)
-            if (same_edge(m->tri[a], m->tri[b])) {
-                ZS_SAY(e,
-                       "instance %: triangles % and % of its mesh are neighbours, and wound "
-                       "against each other: exchange two corners of one.",
-                       i, a, b);
-                return;
-            }
+        for (uint32_t b = 0, against = 0; b < n; b++) {
+            against += b != a && same_edge(m->tri[a], m->tri[b]);
+            if (against < 2)
+                continue;
+            ZS_SAY(e,
+                   "instance %: triangles % and % of its mesh are neighbours, and wound against "
+                   "each other: exchange two corners of one.",
+                   i, a, b);
+            return;
+        }
 }
 
 /* The normal of triangle t by its winding, times twice its area. |component| < 2^35 */
