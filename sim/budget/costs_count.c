@@ -578,19 +578,11 @@ static uint32_t looked_at(const struct zs_renderer *r, uint32_t from, uint32_t e
 static uint32_t on_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *outcome, uint32_t *piece)
 {
     struct binned *b = &now.binned[!r->counting];
-<<<<<<< Updated upstream
-    const uint32_t before = fate[ZS_OUTCOME_DRAWN] + fate[ZS_OUTCOME_OFFSCREEN] + fate[ZS_OUTCOME_EMPTY];
-    const uint32_t reached = now.batch_of->bin(r, from, end, fate, piece), looked = looked_at(r, from, reached);
-    b->tris += looked;
-    b->gathered += r->direct ? 0 : looked;
-    b->boxed += fate[ZS_OUTCOME_DRAWN] + fate[ZS_OUTCOME_OFFSCREEN] + fate[ZS_OUTCOME_EMPTY] - before;
-=======
     const uint32_t before = outcome[ZS_OUTCOME_DRAWN] + outcome[ZS_OUTCOME_OFFSCREEN] + outcome[ZS_OUTCOME_EMPTY];
     const uint32_t reached = now.batch_of->bin(r, from, end, outcome, piece), looked = looked_at(r, from, reached);
     b->tris += looked;
     b->gathered += r->direct ? 0 : looked;
     b->boxed += outcome[ZS_OUTCOME_DRAWN] + outcome[ZS_OUTCOME_OFFSCREEN] + outcome[ZS_OUTCOME_EMPTY] - before;
->>>>>>> Stashed changes
     if (r->parts_tris && (r->counting || r->noting))
         now.n[SIM_COST_tri_noted] += looked;
     now.unpacked = r->n_verts - r->vert_packed;
