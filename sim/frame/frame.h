@@ -21,6 +21,9 @@ struct sim_frame {
  * all accelerators, and pools that are as large as they may be. attrs: ZS_VARYINGS_FLAT or ZS_VARYINGS_SMOOTH. */
 void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height, uint8_t attrs);
 
+/* 1: the method or mapping leaves no depth keys to look at. */
+int sim_frame_no_keys(const struct zs_config *config);
+
 /* Draw a frame through zs_render into buffers of its own. The arena is filled with rubbish first,
  * colours are fetched as late as the sink's contract allows, and a strip that changes before that
  * is an error.

@@ -7,9 +7,6 @@
 
 #include "frame.h"
 
-/* 1: the method or mapping leaves no depth keys to look at. */
-int sim_frame_no_keys(const struct zs_config *config);
-
 /* An arena of exactly the bytes that a configuration asks for, at the end of its block, so that AddressSanitizer sees a
  * step beyond it. *block: for free. Ends the program where there is no memory. */
 void *sim_frame_arena(size_t bytes, void **block);
