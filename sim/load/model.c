@@ -20,6 +20,7 @@
 #include <sys/stat.h>
 
 #include "material.h"
+#include "memory_file.h"
 #include "model_shape.h"
 #include "outside.h"
 #include "polygon.h"
@@ -132,58 +133,6 @@ static int check_wide(const char *file, const char *text, size_t bytes)
 
 /* ---- Files for assimp: the model as it was checked, of an OBJ the cleaned text, and what it names ----------- */
 
-struct stream {
-    struct aiFile file;
-    const char *text;
-    size_t at, bytes;
-    char *own; /* the text, where it goes with the stream; else NULL */
-};
-
-static size_t stream_read(struct aiFile *file, char *out, size_t size, size_t n)
-{
-    struct stream *s = (struct stream *)file->UserData;
-    const size_t left = size > 0 ? (s->bytes - s->at) / size : 0;
-    n = n < left ? n : left;
-    memcpy(out, s->text + s->at, n * size);
-    s->at += n * size;
-    return n;
-}
-
-static size_t stream_write(struct aiFile *file, const char *in, size_t size, size_t n)
-{
-    (void)file;
-    (void)in;
-    (void)size;
-    (void)n;
-    return 0;
-}
-
-static size_t stream_tell(struct aiFile *file)
-{
-    return ((struct stream *)file->UserData)->at;
-}
-
-static size_t stream_size(struct aiFile *file)
-{
-    return ((struct stream *)file->UserData)->bytes;
-}
-
-static enum aiReturn stream_seek(struct aiFile *file, size_t offset, enum aiOrigin origin)
-{
-    struct stream *s = (struct stream *)file->UserData;
-    const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_END ? s->bytes : s->at;
-    const size_t to = base + offset; /* an offset below 0 wraps, and so does the sum */
-    if (to > s->bytes)
-        return aiReturn_FAILURE;
-    s->at = to;
-    return aiReturn_SUCCESS;
-}
-
-static void stream_flush(struct aiFile *file)
-{
-    (void)file;
-}
-
 /* A whole regular file that the model may name, with a '\0' behind it, or NULL. malloc'ed. */
 static char *read_text(const char *path, size_t *bytes)
 {
@@ -228,27 +177,19 @@ static struct aiFile *stream_open(struct aiFileIO *io, const char *name, const c
 {
     struct load *l = (struct load *)io->UserData;
     const int obj = l->family == FAMILY_OBJ;
-    struct stream s = { .text = obj ? l->obj.text : l->text, .bytes = obj ? l->obj.text_bytes : l->bytes };
     if (mode[0] != 'r')
         return NULL;
-    if (strcmp(name, l->file) != 0) {
-        s.text = s.own = obj ? read_materials(l, name, &s.bytes) : read_text(name, &s.bytes);
-        if (s.own == NULL)
-            return NULL;
-    }
-    struct stream *kept = sim_alloc(1, sizeof *kept);
-    *kept = s;
-    kept->file = (struct aiFile){ stream_read, stream_write, stream_tell, stream_size,
-                                  stream_seek, stream_flush, (aiUserData)kept };
-    return &kept->file;
+    if (strcmp(name, l->file) == 0)
+        return sim_memory_file(obj ? l->obj.text : l->text, obj ? l->obj.text_bytes : l->bytes, NULL);
+    size_t bytes;
+    char *own = obj ? read_materials(l, name, &bytes) : read_text(name, &bytes);
+    return own != NULL ? sim_memory_file(own, bytes, own) : NULL;
 }
 
 static void stream_close(struct aiFileIO *io, struct aiFile *file)
 {
     (void)io;
-    struct stream *s = (struct stream *)file->UserData;
-    free(s->own);
-    free(s);
+    sim_memory_file_close(file);
 }
 
 /* ---- Checks ---------------------------------------------------------------------------------- */
