@@ -516,16 +516,6 @@ static int layers_case(uint64_t seed)
     return ok;
 }
 
-static void stress_19_layers_at_1_01_buckets_under_all_mappings(void **state)
-{
-    pairs_swapped = pairs_drawn = 0;
-    CASES(layers_case, 4000);
-    print_message(
-        "layers, five mappings, far / near 10 to 10^5: %u pixels; %.1f %% the wrong way round at "
-        "0.5 buckets, none at 1.01\n",
-        pairs_drawn, 100.0 * pairs_swapped / fmax(pairs_drawn, 1));
-}
-
 /* The exact key at a sample, unrounded, of any mapping. unit: of the easel's frames. */
 static long double exact_key(const struct easel *s, const struct easel_frame *unit,
                              const struct oracle_tri *o, const uint32_t d[3], int i, int j)
@@ -636,16 +626,6 @@ static int pair_case(uint64_t seed)
     easel_free(&alone[0]);
     easel_free(&alone[1]);
     return ok;
-}
-
-static void stress_19_20_pairs_of_any_planes_under_all_mappings(void **state)
-{
-    pairs_swapped = pairs_drawn = 0;
-    CASES(pair_case, 500);
-    print_message(
-        "pairs of planes, five mappings: %u pixels, %.3f %% the wrong way round, all within "
-        "1.01 buckets\n",
-        pairs_drawn, 100.0 * pairs_swapped / fmax(pairs_drawn, 1));
 }
 
 /* ---- States: one triangle after another ----------------------------------------------------- */
@@ -1148,8 +1128,12 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(octave_boundaries_on_samples),
     cmocka_unit_test(the_steepest_step_of_a_pixel),
     cmocka_unit_test(keys_of_clipped_triangles_under_all_mappings),
-    cmocka_unit_test(stress_19_layers_at_1_01_buckets_under_all_mappings),
-    cmocka_unit_test(stress_19_20_pairs_of_any_planes_under_all_mappings),
+    CASES_COUNTS(stress_19_layers_at_1_01_buckets_under_all_mappings, layers_case, 4000,
+                 { "pixels of two layers", &pairs_drawn, 10000000 },
+                 { "the wrong way round at 0.5 buckets", &pairs_swapped, 1000000 }),
+    CASES_COUNTS(stress_19_20_pairs_of_any_planes_under_all_mappings, pair_case, 500,
+                 { "pixels of two planes", &pairs_drawn, 4000000 },
+                 { "the wrong way round within 1.01 buckets", &pairs_swapped, 100000 }),
     cmocka_unit_test(states_one_triangle_after_another),
     cmocka_unit_test(offsets_and_slopes_in_buckets),
     CASES_TEST(states_in_scenes_whatever_the_pools, state_scene_case, 240),

@@ -22,6 +22,7 @@
 #include "fast_lists.h"
 #include "replay.h"
 #include "stress.h"
+#include "wrong.h"
 #include "zs_damage.h"
 #include "zstrip.h"
 
@@ -34,11 +35,9 @@ int stress_wrong(const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    fprintf(stderr, "\nwrong: ");
-    vfprintf(stderr, format, args);
-    fputc('\n', stderr);
+    const int none = wrong_said("\n", format, args);
     va_end(args);
-    return 0;
+    return none;
 }
 
 static volatile sig_atomic_t stopped;

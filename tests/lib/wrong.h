@@ -1,0 +1,20 @@
+/* A sentence that says what is wrong, on standard error.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef TESTS_WRONG_H
+#define TESTS_WRONG_H
+
+#include <stdarg.h>
+#include <stdio.h>
+
+/* before: what stands before "wrong". Return 0, what a case that is wrong returns. */
+static inline int wrong_said(const char *before, const char *format, va_list args)
+{
+    fprintf(stderr, "%swrong: ", before);
+    vfprintf(stderr, format, args);
+    fputc('\n', stderr);
+    return 0;
+}
+
+#endif
