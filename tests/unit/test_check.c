@@ -94,21 +94,26 @@ static void sample_free(struct sample *s)
 }
 
 /* What the check answers, with and without a place to put the index; index is where it is put. */
-static enum zs_flaw flaw_of(const struct zs_mesh *m, uint32_t *index)
-{
-    *index = ANY_INDEX;
-    const enum zs_flaw flaw = zs_mesh_check(m, index);
-    assert_int_equal(zs_mesh_check(m, NULL), flaw);
-    assert_true(*index != ANY_INDEX);
-    return flaw;
-}
+#define ANSWER_OF(name, type, check) \
+    static enum zs_flaw name(const struct type *of, uint32_t *index) \
+    { \
+        *index = ANY_INDEX; \
+        const enum zs_flaw flaw = check(of, index); \
+        assert_int_equal(check(of, NULL), flaw); \
+        assert_true(*index != ANY_INDEX); \
+        return flaw; \
+    }
+ANSWER_OF(flaw_of, zs_mesh, zs_mesh_check)
+ANSWER_OF(texture_flaw, zs_texture, zs_texture_check)
 
-#define HAS(m, flaw, at) \
+#define ANSWERS(answer, of, flaw, at) \
     do { \
         uint32_t index_; \
-        assert_int_equal(flaw_of(m, &index_), flaw); \
+        assert_int_equal(answer(of, &index_), flaw); \
         assert_int_equal(index_, at); \
     } while (0)
+#define HAS(m, flaw, at) ANSWERS(flaw_of, m, flaw, at)
+#define TEXTURE_HAS(x, flaw, at) ANSWERS(texture_flaw, x, flaw, at)
 
 /* The sound mesh after a change has exactly this flaw. */
 #define CHANGED(change, flaw, at) \
@@ -689,22 +694,6 @@ static void the_largest_counts(void **state)
 }
 
 /* ---- Textures -------------------------------------------------------------------------------------- */
-
-static enum zs_flaw texture_flaw(const struct zs_texture *x, uint32_t *index)
-{
-    *index = ANY_INDEX;
-    const enum zs_flaw flaw = zs_texture_check(x, index);
-    assert_int_equal(zs_texture_check(x, NULL), flaw);
-    assert_true(*index != ANY_INDEX);
-    return flaw;
-}
-
-#define TEXTURE_HAS(x, flaw, at) \
-    do { \
-        uint32_t index_; \
-        assert_int_equal(texture_flaw(x, &index_), flaw); \
-        assert_int_equal(index_, at); \
-    } while (0)
 
 static void sound_textures_pass(void **state)
 {
