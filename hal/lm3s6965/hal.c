@@ -10,6 +10,7 @@
  */
 #include "hal.h"
 
+#include "board.h"
 #include "cortexm.h"
 #include "parts.h"
 #include "pins.h"
@@ -22,9 +23,7 @@
 #define SETTLE_SPINS 16u      /* cycles for a new divider or source to take effect */
 #define LOCK_SPINS 32768u     /* the PLL takes half a millisecond */
 
-void HardFault_Handler(void);
 
-static uint8_t ready;
 
 /* ---- Clocks --------------------------------------------------------------------------------------------------- */
 
@@ -83,7 +82,7 @@ static void text_start(void)
 /* 87 us a character, less the sixteen that the FIFO takes; there is nothing that could stop the UART. */
 void hal_write(const char *text)
 {
-    for (; ready && *text; text++) {
+    for (; board_ready && *text; text++) {
         while (UART0_FR & UART_TXFF) {
         }
         UART0_DR = (uint8_t)*text;
@@ -92,34 +91,23 @@ void hal_write(const char *text)
 
 /* ---- The board ------------------------------------------------------------------------------------------------ */
 
-int hal_init(void)
+const char board_fault[] = "lm3s6965: hard fault\n";
+
+int board_start(void)
 {
-    if (ready)
-        return HAL_ERR_NONE;
     const int err = clocks_start();
     if (err)
         return err;
     cortexm_ticks_start();
     text_start();
     lm3s6965_bus_start();
-    ready = 1;
     return HAL_ERR_NONE;
 }
 
-void hal_exit(int status)
+void board_flush(void)
 {
-    (void)status;
-    while (ready && UART0_FR & UART_BUSY) {
+    while (board_ready && UART0_FR & UART_BUSY) {
     }
-    __asm__ volatile("cpsid i");
-    for (;;)
-        __asm__ volatile("wfi");
-}
-
-void HardFault_Handler(void)
-{
-    hal_write("lm3s6965: hard fault\n");
-    hal_exit(1);
 }
 
 uint32_t hal_tick_hz(void)

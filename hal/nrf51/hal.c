@@ -9,6 +9,7 @@
  */
 #include "hal.h"
 
+#include "board.h"
 #include "parts.h"
 #include "pins.h"
 #include "regs.h"
@@ -17,10 +18,8 @@
 #define HALF 0x80000000u
 #define ALARM_US 16u /* nearer ones are waited for without sleep */
 
-void HardFault_Handler(void);
 void TIMER0_Handler(void);
 
-static uint8_t ready;
 static volatile uint32_t halves; /* of TIMER0's range, whole ones */
 
 typedef void (*vector)(void);
@@ -106,32 +105,21 @@ uint32_t hal_tick_instructions(void)
 
 /* ---- The board ---------------------------------------------------------------------------------------------- */
 
-int hal_init(void)
+const char board_fault[] = "microbit: hard fault\n";
+
+int board_start(void)
 {
-    if (ready)
-        return HAL_ERR_NONE;
     clock_start();
     ticks_start();
     nrf51_uart_start();
     nrf51_bus_start();
     hal_backlight(0);
     GPIO_DIRSET = 1u << PIN_BACKLIGHT;
-    ready = 1;
     return HAL_ERR_NONE;
 }
 
-void hal_exit(int status)
+void board_flush(void)
 {
-    (void)status;
-    __asm__ volatile("cpsid i");
-    for (;;)
-        __asm__ volatile("wfi");
-}
-
-void HardFault_Handler(void)
-{
-    hal_write("microbit: hard fault\n");
-    hal_exit(1);
 }
 
 void hal_backlight(uint8_t level)

@@ -7,6 +7,7 @@
  */
 #include "hal.h"
 
+#include "board.h"
 #include "parts.h"
 #include "pins.h"
 #include "regs.h"
@@ -19,9 +20,7 @@
 #define PWM_SHIFT ((PIN_BACKLIGHT & 1u) * 16u)
 #define PWM_PERIOD 255u                       /* ticks of 1 us: 3.9 kHz */
 
-void HardFault_Handler(void);
 
-static uint8_t ready;
 static char text_out[TEXT_BYTES]; /* the DMA reads here while its channel is busy */
 
 /* ---- Text ------------------------------------------------------------------------------------------------- */
@@ -45,7 +44,7 @@ static void text_wait(void)
 /* The text before must have gone; 87 us a character. A line that is written whole goes by itself. */
 void hal_write(const char *text)
 {
-    while (ready && *text) {
+    while (board_ready && *text) {
         uint32_t n = 0;
         text_wait();
         for (; n < TEXT_BYTES && *text; n++)
@@ -60,10 +59,10 @@ void hal_write(const char *text)
 
 /* ---- The board ---------------------------------------------------------------------------------------------- */
 
-int hal_init(void)
+const char board_fault[] = "pico: hard fault\n";
+
+int board_start(void)
 {
-    if (ready)
-        return HAL_ERR_NONE;
     rp2040_clocks_start();
     text_start();
     rp2040_bus_start();
@@ -72,25 +71,14 @@ int hal_init(void)
     hal_backlight(0);
     PWM_CSR(PWM_SLICE) = 1;
     GPIO_CTRL(PIN_BACKLIGHT) = FUNC_PWM;
-    ready = 1;
     return HAL_ERR_NONE;
 }
 
-void hal_exit(int status)
+void board_flush(void)
 {
-    (void)status;
     text_wait();
     while (UART0_FR & UART_BUSY) {
     }
-    __asm__ volatile("cpsid i");
-    for (;;)
-        __asm__ volatile("wfi");
-}
-
-void HardFault_Handler(void)
-{
-    hal_write("pico: hard fault\n");
-    hal_exit(1);
 }
 
 uint64_t hal_ticks(void)

@@ -5,6 +5,7 @@
  */
 #include "hal.h"
 
+#include "board.h"
 #include "cortexm.h"
 #include "parts.h"
 #include "pins.h"
@@ -20,9 +21,7 @@
 _Static_assert(PIN_BACKLIGHT == PB0 || PIN_BACKLIGHT == PB1 || (PIN_BACKLIGHT >= PC7 && PIN_BACKLIGHT <= PC9),
                "PIN_BACKLIGHT: PB0, PB1, PC7, PC8 or PC9");
 
-void HardFault_Handler(void);
 
-static uint8_t ready;
 
 /* ---- Text ------------------------------------------------------------------------------------------------- */
 
@@ -42,7 +41,7 @@ static void text_wait(uint32_t flag)
 /* 87 us a character. */
 void hal_write(const char *text)
 {
-    for (; ready && *text; text++) {
+    for (; board_ready && *text; text++) {
         text_wait(USART_ROOM);
         USART6_DR = (uint8_t)*text;
     }
@@ -62,32 +61,21 @@ static void light_start(void)
     stm32f4_pin_alternate(PIN_BACKLIGHT, AF_TIM3);
 }
 
-int hal_init(void)
+const char board_fault[] = "stm32f405: hard fault\n";
+
+int board_start(void)
 {
-    if (ready)
-        return HAL_ERR_NONE;
     stm32f4_clocks_start();
     cortexm_ticks_start();
     text_start();
     light_start();
     stm32f4_bus_start();
-    ready = 1;
     return HAL_ERR_NONE;
 }
 
-void hal_exit(int status)
+void board_flush(void)
 {
-    (void)status;
     text_wait(USART_SENT);
-    __asm__ volatile("cpsid i");
-    for (;;)
-        __asm__ volatile("wfi");
-}
-
-void HardFault_Handler(void)
-{
-    hal_write("stm32f405: hard fault\n");
-    hal_exit(1);
 }
 
 uint32_t hal_tick_hz(void)

@@ -7,15 +7,15 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-CORE_MAX=${CORE_MAX:-4298}         # lines of code in core/ and the public headers; the goal is 4200
-ALL_MAX=${ALL_MAX:-9954}           # ... in all of firmware/zstrip; the goal is 7000
-EFFECTS_MAX=${EFFECTS_MAX:-3908}   # ... in effect/ and its public headers
+CORE_MAX=${CORE_MAX:-4296}         # lines of code in core/ and the public headers; the goal is 4200
+ALL_MAX=${ALL_MAX:-9951}           # ... in all of firmware/zstrip; the goal is 7000
+EFFECTS_MAX=${EFFECTS_MAX:-3866}   # ... in effect/ and its public headers
 OVERLAYS_MAX=${OVERLAYS_MAX:-1400} # ... in overlay/ and its public headers
 EXPLAIN_MAX=${EXPLAIN_MAX:-1370}   # ... in support/explain* and zs_explain.h
 METHODS_MAX=${METHODS_MAX:-2200}   # ... in method/ and its public headers
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/
 FILE_MAX=${FILE_MAX:-540}          # lines of a file; the goal is 450
-FUNCTION_MAX=${FUNCTION_MAX:-64}   # lines of code of a function, from { to }; the goal is 60
+FUNCTION_MAX=${FUNCTION_MAX:-63}   # lines of code of a function, from { to }; the goal is 60
 COLUMNS_MAX=${COLUMNS_MAX:-100}    # columns of a line in firmware/zstrip
 COLUMNS_MANY=${COLUMNS_MANY:-0}    # ... and lines that have more
 ELSE_MAX=${ELSE_MAX:-126}          # columns of a line of what else is written here; the goal is 120

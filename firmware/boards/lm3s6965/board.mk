@@ -7,7 +7,7 @@ BOARD_RAM = 65536
 BOARD_IMAGES = bin
 include firmware/boards/cortexm/cortexm.mk
 BOARD_CPU = -mcpu=cortex-m3 -mthumb
-BOARD_SRC += hal/spi/spi_bus.c
+BOARD_SRC += hal/cortexm/board.c hal/spi/spi_bus.c
 BOARD_HAL = lm3s6965
 BOARD_FLAGS = -DSHOW_WIDTH=128 -DSHOW_HEIGHT=64 -DSHOW_PANEL=panel_ssd0323 -DSHOW_PIXEL_BITS=4 -DSHOW_INVERT=0 \
               -DSHOW_BUFFERS=1 -DSHOW_ROWS_MAX=8 -DSHOW_TRIS_MAX=1280 -DSHOW_VERTS_MAX=1664

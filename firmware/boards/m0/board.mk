@@ -5,6 +5,7 @@ BOARD_ABOUT = Cortex-M0 in QEMU (microbit), to count instructions; no panel
 BOARD_IMAGES =
 BOARD_FLAGS = -DHAL_TICK_INSTRUCTIONS=0
 BOARD_HAL = mps2
-BOARD_SRC := $(filter-out hal/spi/spi_bus.c,$(BOARD_SRC)) hal/cortexm/systick.c hal/null/bus.c hal/cortexm/semihost.c
+BOARD_SRC := $(filter-out hal/spi/spi_bus.c hal/cortexm/board.c,$(BOARD_SRC)) hal/cortexm/systick.c hal/null/bus.c \
+             hal/cortexm/semihost.c
 BOARD_LD = firmware/boards/microbit/microbit.ld
 BOARD_RUN = qemu-system-arm -M microbit $(QEMU_COUNTS)

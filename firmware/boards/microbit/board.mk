@@ -8,7 +8,7 @@ BOARD_IMAGES = hex
 include firmware/boards/cortexm/cortexm.mk
 BOARD_CPU = -mcpu=cortex-m0 -mthumb
 BOARD_HAL = nrf51
-BOARD_SRC := $(filter-out hal/cortexm/systick.c,$(BOARD_SRC)) hal/spi/spi_bus.c
+BOARD_SRC := $(filter-out hal/cortexm/systick.c,$(BOARD_SRC)) hal/cortexm/board.c hal/spi/spi_bus.c
 BOARD_RUN = echo Drag onto the drive of the micro:bit the .hex of
 BOARD_FLAGS = -DSHOW_PANEL=panel_ili9341 -DSHOW_GLASS_WIDTH=240 -DSHOW_GLASS_HEIGHT=320 -DSHOW_ROTATE=1 \
     -DSHOW_INVERT=0 -DSHOW_BGR=1 -DSHOW_WIDTH=160 -DSHOW_HEIGHT=128 -DSHOW_X=80 -DSHOW_Y=56 -DSHOW_SUBPIXEL=4 \

@@ -9,7 +9,8 @@ BOARD_CPU = -mcpu=cortex-m0plus -mthumb -DZS_RP2040=1
 DATA_CPU = -mcpu=cortex-m0 -mthumb
 OPT = -O3
 BOARD_HAL = rp2040
-BOARD_SRC = firmware/boards/pico/startup.c firmware/boards/pico/divide.S hal/stack/stack.c hal/spi/spi_bus.c
+BOARD_SRC = firmware/boards/pico/startup.c firmware/boards/pico/divide.S hal/stack/stack.c hal/cortexm/board.c \
+            hal/spi/spi_bus.c
 BOARD_SECOND = hal/rp2040/second/second.c
 BOARD_DEPS = firmware/boards/pico/pico.ld $(OUT)/stage2.o
 BOARD_LINK = -T firmware/boards/pico/pico.ld -nostartfiles $(OUT)/stage2.o

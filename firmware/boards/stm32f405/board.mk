@@ -6,7 +6,7 @@ BOARD_RAM = 131072
 BOARD_IMAGES = bin hex
 include firmware/boards/cortexm/cortexm.mk
 BOARD_CPU = -mcpu=cortex-m4 -mthumb -mfloat-abi=soft
-BOARD_SRC += hal/spi/spi_bus.c
+BOARD_SRC += hal/cortexm/board.c hal/spi/spi_bus.c
 BOARD_HAL = stm32f4
 BOARD_FLAGS = -DSHOW_ROWS_MAX=40 -DSHOW_VERTS_MAX=3200
 BOARD_RUN = echo Flash at 0x08000000 the .bin, or the .hex, of
