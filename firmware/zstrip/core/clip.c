@@ -43,8 +43,8 @@ static uint32_t quotient(const struct cut *cut, uint64_t n)
     if (ZS_FOR_SIZE)
         return (uint32_t)(n / cut->den);
     const uint32_t top = (uint32_t)(n << cut->lz >> 32);
-    uint32_t q = (uint32_t)(zs_mul_uu(top, cut->rcp) >>
-                            31); /* off by at most 2^32 / 2^31 for top and 4 for rcp; < 2^31.2 */
+    /* off by at most 2^32 / 2^31 for top and 4 for rcp; < 2^31.2 */
+    uint32_t q = (uint32_t)(zs_mul_uu(top, cut->rcp) >> 31);
     int64_t rest = (int64_t)(n - zs_mul_uu(q, cut->den));
     for (; rest < 0; rest += cut->den)
         q--;

@@ -25,8 +25,8 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
 {
     if (dy < EDGE32_MAX)
         return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE); /* < 2^23 + 2^30 */
-    return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) /
-                     (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
+    /* < 2^44.1 */
+    return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE));
 }
 
 /* Find the columns of the edge that runs down from a to b, in n > 0 rows from `row` on, into
@@ -49,8 +49,8 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
     const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y; /* 0 <= off <= dy */
     const int32_t at = a->x - ZS_SUBPX_HALF + off * q;             /* < 2^24 */
     int32_t i = at >> ZS_SUBPX_BITS, fraction = at & (ZS_SUBPX_ONE - 1);
-    uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) +
-                    zs_wrap_mul((uint32_t)off, part); /* modulo 2^32 */
+    /* modulo 2^32 */
+    uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) + zs_wrap_mul((uint32_t)off, part);
     const int32_t span = dy * ZS_SUBPX_ONE;           /* < 2^30 */
     if (off >= ZS_SUBPX_ONE) {
         const int32_t k = edge_below(fraction, dy, off, part);

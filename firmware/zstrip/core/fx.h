@@ -190,8 +190,8 @@ ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
     const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));
     const int32_t upper = (int32_t)(y >> 16) * e,
                   lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */
-    const uint32_t r = y +
-                       (uint32_t)((upper + (lower >> 16)) >> 15); /* floor: exact below 2^32 + 2 */
+    /* floor: exact below 2^32 + 2 */
+    const uint32_t r = y + (uint32_t)((upper + (lower >> 16)) >> 15);
     return r >> 31 ? r : UINT32_MAX;
 }
 

@@ -121,8 +121,8 @@ static ZS_NOINLINE void draw(struct zs_job *job)
     job->saturates = zs_maxu32(zs_maxu32(a, b), c) >= job->key_limit;
     if (linear && r->depth) {
         zs_plane32(&job->geom, a, b, c, ZS_PLANE_KEY, &job->key);
-        job->key.base +=
-            0x8000u; /* half a bucket, to round to nearest; keys are below 2^32 - 2^15 (plane.c) */
+        /* half a bucket, to round to nearest; keys are below 2^32 - 2^15 (plane.c) */
+        job->key.base += 0x8000u;
     }
     if (job->depth_state)
         job->bias = zs_depth_state_bias(job);
@@ -239,8 +239,8 @@ static void job_target(struct zs_job *job)
     job->bottom = r->view.y + r->view.height;
     job->pitch = r->config.width;
     job->width = r->view.width;
-    const int32_t last = first +
-                         strip_rows(r); /* y0 == y1 where the viewport is not in the strip */
+    /* y0 == y1 where the viewport is not in the strip */
+    const int32_t last = first + strip_rows(r);
     job->y0 = zs_min32(zs_max32(first, job->top), last);
     job->y1 = zs_max32(zs_min32(last, job->bottom), job->y0);
     const int32_t at = (job->y0 - first) * job->pitch + r->view.x;
@@ -270,8 +270,8 @@ void zs_raster_strip(struct zs_renderer *r)
     const int part = r->window[1] - r->window[0] < r->config.width; /* r->track is not NULL then */
     uint16_t list = r->config.method->list(r);
     uint16_t *keep = &r->active; /* appended to, so it stays in the list's order */
-    uint32_t number =
-        ZS_NIL; /* the instance that job is set for; ZS_NIL is none: they end at 65534 */
+    /* the instance that job is set for; ZS_NIL is none: they end at 65534 */
+    uint32_t number = ZS_NIL;
     struct zs_job job;
     int (*whole)(struct zs_job *) = 0;
     job_begin(&job, r);

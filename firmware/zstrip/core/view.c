@@ -97,8 +97,8 @@ static int scale_set(struct zs_view *view, const struct zs_camera *camera)
     int32_t bits;
     if (view->perspective) {
         const uint64_t focal = camera->focal << 8; /* uq32_32 sub-pixels, <= 2^63 */
-        const uint32_t high = (uint32_t)((focal - 1u) >>
-                                         32); /* bits: the least with focal <= 2^(32 + bits) */
+        /* bits: the least with focal <= 2^(32 + bits) */
+        const uint32_t high = (uint32_t)((focal - 1u) >> 32);
         bits = high ? 32 - zs_clz32(high) : 0;
         if (bits < SCALE_BITS_MIN)
             bits = SCALE_BITS_MIN;

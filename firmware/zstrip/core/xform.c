@@ -107,8 +107,8 @@ int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3],
     int64_t sum = (int64_t)((uint64_t)(uint32_t)row[4] << 32 | (uint32_t)row[3]);
 #else
     const int32_t s = row[ZS_ROW_S], shift = s + row[ZS_ROW_S2];
-    int64_t sum = row[ZS_ROW_T_HIGH] * ((int64_t)1 << shift) +
-                  row[ZS_ROW_T_LOW]; /* |.| < 2^60 + 2^29 */
+    /* |.| < 2^60 + 2^29 */
+    int64_t sum = row[ZS_ROW_T_HIGH] * ((int64_t)1 << shift) + row[ZS_ROW_T_LOW];
     int32_t m[3];
     for (int j = 0; j < 3; j++)
         m[j] = row[ZS_ROW_HIGH + j] * (1 << s) + row[ZS_ROW_LOW + j];

@@ -99,8 +99,8 @@ static int linear_planes(struct zs_job *job)
 static uint32_t pixel_key(const struct zs_view *view, uint64_t w, int32_t scale)
 {
     if (w == 0)
-        return view->key_top >>
-               16; /* does not happen on a covered pixel, but the result is defined */
+        /* does not happen on a covered pixel, but the result is defined */
+        return view->key_top >> 16;
     const int lz = zs_clz64(w);
     const uint32_t rcp = zs_recip((uint32_t)(w << lz >> 32));
     const int32_t q = scale - lz; /* z = rcp / 2^q */

@@ -145,8 +145,8 @@ ZS_ALWAYS_INLINE enum zs_small_outcome zs_small_place(struct zs_job *job, struct
     /* |gx|, |up| <= 2^27; x is 2^14 .. 2^14.1, 0 <= off < 2^14: from is below 2^42.1 */
     s->x = (ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF;
     s->off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
-    const int64_t from = zs_mul_ss(s->gx, s->x) - zs_mul_ss(s->gy, s->off) -
-                         128; /* to column 0 and row, negative, a half added */
+    /* to column 0 and row, negative, a half added */
+    const int64_t from = zs_mul_ss(s->gx, s->x) - zs_mul_ss(s->gy, s->off) - 128;
     s->key = s->a->d + 0x8000u + (uint32_t)(-from >> 8);
     return ZS_SMALL_ROWS;
 }

@@ -58,8 +58,8 @@ static uint32_t color_range(const uint16_t *const a[3])
  */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    if (range * ((change >> 16) + 1u) <= least >>
-        (ZS_SPAN_BOUND_LOG2 + 4)) /* < 2^32; a cheaper, sufficient test */
+    /* < 2^32; a cheaper, sufficient test */
+    if (range * ((change >> 16) + 1u) <= least >> (ZS_SPAN_BOUND_LOG2 + 4))
         return 1;
     return zs_mul_uu(range, change) <= (uint64_t)least
                                            << (12 - ZS_SPAN_BOUND_LOG2); /* < 2^16 * 2^32 */
