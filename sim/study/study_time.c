@@ -368,7 +368,8 @@ static const char *words(const struct study_table *t, size_t r)
     return out;
 }
 
-/* Points of a mapping with the depth buffer, m = STUDY_MAPPINGS: of all; group 0: dominated by none, 1: dominated, 2: the default. */
+/* Points of a mapping with the depth buffer, m = STUDY_MAPPINGS: of all; group 0: dominated by none, 1: dominated, 2:
+ * the default. */
 static void block(FILE *f, const struct study_table *t, const struct point *p, size_t n, int e, int m, int group)
 {
     (void)fprintf(f, "$p%d_%d_%d << EOD\n-1\t-1\n", e, m, group);
@@ -446,11 +447,13 @@ static int plot_methods(struct study_page *page, const struct study_table *t, co
             (void)fprintf(f, "%.6g\t%.6g\t%s\n", p[k].m3, fmax(p[k].error[0], 1e-3),
                           p[k].method ? p[k].method : "zbuffer");
     (void)fputs("EOD\nset logscale xy\nset xlabel 'M instructions a frame, Cortex-M3'\n"
-                "set ylabel 'wrong or missing pixels, %'\nset yrange [0.0005:100]\nset offsets graph 0.1, graph 0.2, 0, 0\n"
+                "set ylabel 'wrong or missing pixels, %'\nset yrange [0.0005:100]\n"
+                "set offsets graph 0.1, graph 0.2, 0, 0\n"
                 "plot $methods with points pt 7 ps 1.2 lc rgb '#1f77b4' notitle, $methods using 1:2:3 with labels left "
                 "offset 1,0.6 notitle\n",
                 f);
-    return study_plot_close(page, "Methods of hidden-surface removal, means over all scenes, with the default settings. "
+    return study_plot_close(page,
+        "Methods of hidden-surface removal, means over all scenes, with the default settings. "
                                   "Below a thousandth of a per cent: drawn there.");
 }
 
@@ -631,7 +634,8 @@ static int report(struct study_page *page, const struct study_table *t)
     struct point *p;
     study_say(
         page,
-        "Varied: sub-pixel bits, depth mapping and its bits, the method of hidden-surface removal, and, in the full sweep, the bits of reciprocals and how "
+        "Varied: sub-pixel bits, depth mapping and its bits, the method of hidden-surface removal, and, in the full "
+        "sweep, the bits of reciprocals and how "
         "far from the truth a span may be affine; each in bench scenes of every kind of shading, one pass, strips of "
         "24 rows.");
     int status = picture(page, t);
