@@ -11,6 +11,7 @@
 #include "number.h"
 #include "report.h"
 #include "scenes.h"
+#include "zs_method.h"
 #include "zstrip.h"
 
 #ifndef STUDY_ARENA
@@ -29,6 +30,7 @@ struct setting {
     uint16_t strip_h, max_tris, max_verts;
     uint8_t buffers, subpixel_bits, depth_bits;
     const struct zs_depth *depth;
+    const struct zs_method *method; /* 0: the depth buffer */
     uint8_t recip_steps, coarse_log2, bound_log2; /* of the build */
 };
 
@@ -54,7 +56,8 @@ static int measure(const struct setting *s)
     const struct zs_config config = {
         .width = d->width, .height = d->height, .strip_h = s->strip_h, .max_tris = s->max_tris,
         .max_verts = s->max_verts, .varyings = (uint8_t)d->varyings, .buffers = s->buffers,
-        .subpixel_bits = s->subpixel_bits, .depth_bits = s->depth_bits, .depth = s->depth, .fast = d->fast
+        .subpixel_bits = s->subpixel_bits, .depth_bits = s->depth_bits, .depth = s->depth,
+        .method = s->method, .fast = d->fast
     };
     char room[NUMBER_CHARS], hex[HEX_CHARS];
     uint64_t checksum = REPORT_HASH, ticks = 0;

@@ -39,7 +39,8 @@ struct request {
 static const struct sim_option table[] = {
     { "Studies", SIM_OPTION_HEADING },
     { "time", SIM_OPTION_WORD,
-      .help = "run time against error: sub-pixel bits, reciprocals, sub-spans, depth mapping and bits, shading" },
+      .help = "run time against error: sub-pixel bits, reciprocals, sub-spans, depth mapping and bits, shading, "
+              "method of hidden-surface removal" },
     { "depth", SIM_OPTION_WORD, .help = "what the depth mappings keep apart; z-fighting and its cures" },
     { "memory", SIM_OPTION_WORD, .help = "strip height, pools and formats: bytes, passes, time" },
     { "stability", SIM_OPTION_WORD,

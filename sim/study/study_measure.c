@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "frame.h"
+#include "frame_inside.h"
 #include "image.h"
 #include "error_bound.h"
 #include "sim.h"

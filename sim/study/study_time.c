@@ -192,7 +192,7 @@ static int measure_own(size_t i, struct study_text *row)
     study_put(row, "%.4g", percent(e->id_differ, e->ref_drawn));
     study_put(row, "%.4g", percent(e->missing + e->extra, e->ref_drawn));
     study_put(row, "%.4g", percent(f.surface, e->ref_drawn));
-    if (sim_methods[runs[i].method].depth) {
+    if (!sim_methods[runs[i].method].keys) {
         study_skip(row, 2); /* no keys of depth */
     } else {
         study_put(row, "%.4g", e->z_mean_rel);

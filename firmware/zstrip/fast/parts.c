@@ -158,27 +158,20 @@ ZS_RARE static ZS_NOINLINE uint32_t row_of(const struct zs_renderer *r, int32_t 
     return (uint32_t)zs_min32(row, r->config.height - 1) >> r->part_down;
 }
 
-static uint16_t *part_of(const struct zs_renderer *r, uint32_t from)
-{
-    return parts(r) + r->part + (from >> r->part_log2);
-}
-
 ZS_RARE int zs_parts_noted(struct zs_renderer *r, uint32_t from)
 {
-    if (r->counting)
-        return 1;
-    if ((from & ((1u << r->part_log2) - 1u)) == 0) {
-        uint16_t *const part = part_of(r, from);
+    uint16_t *const part = parts(r) + r->part + (from >> r->part_log2);
+    if ((from & ((1u << r->part_log2) - 1u)) == 0 && !r->counting) {
         r->noting = *part == ALL && !r->by_clusters;
         *part = r->noting ? NONE : *part;
     }
-    return r->noting;
+    return r->counting || r->noting;
 }
 
 ZS_RARE void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
                            const uint16_t (*tri)[3], const uint8_t *left, uint32_t n)
 {
-    uint16_t *const part = part_of(r, from);
+    uint16_t *const part = parts(r) + r->part + (from >> r->part_log2);
     int32_t y0 = INT32_MAX, y1 = INT32_MIN;
     for (const uint8_t *const end = left + n; left != end; left++) {
         const uint16_t *index = tri[*left / 4u];
