@@ -450,7 +450,7 @@ static int plot_methods(struct study_page *page, const struct study_table *t, co
                 "set ylabel 'wrong or missing pixels, %'\nset yrange [0.0005:100]\n"
                 "set offsets graph 0.1, graph 0.2, 0, 0\n"
                 "plot $methods with points pt 7 ps 1.2 lc rgb '#1f77b4' notitle, $methods using 1:2:3 with labels left "
-                "offset 1,0.6 notitle\n",
+                "rotate by 40 offset 0.5,0.8 notitle\n",
                 f);
     return study_plot_close(page,
         "Methods of hidden-surface removal, means over all scenes, with the default settings. "
