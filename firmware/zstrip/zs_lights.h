@@ -140,9 +140,29 @@ extern const struct zs_shader zs_shade_texture_lit;
  * to a step of mesh.uv. Cost of a pixel: 305. */
 extern const struct zs_shader zs_shade_texture_tinted;
 
+/* A texture times light, and highlights and emission on top, which it does not tint. Need
+ * mesh.normal, mesh.uv, a texture; vertex_rgb and face_rgb are not read. A channel, at most full:
+ *     texel * (ambient + sum(lamp * max(0, N . L))) + specular * sum(lamp * highlight) + emission
+ *
+ * Lit at the vertices; light is taken by its luminance (Rec. 601), so that it is exact for lamps
+ * and ambient light without colour; it is at most twice full, and highlights full. Four varyings:
+ * compile with ZS_VARYINGS_MAX at least 4. Cost: not measured yet; the pixels of
+ * zs_shade_texture_smooth without accelerators, and a division a pixel in triangles with a
+ * highlight. Flash, M3 -O2, of this and the next two: 3 KB. */
+extern const struct zs_shader zs_shade_texture_gloss;
+/* The same by channel, for coloured lamps; eight varyings, divided at each pixel. */
+extern const struct zs_shader zs_shade_texture_gloss_tinted;
+/* The same at each pixel, by normals that are interpolated and given length 1 (Phong shading), for
+ * all lamps and flags; eight varyings. Positions are those of mesh.pos, without pos_lo. Each
+ * pixel is lit as a vertex is, as by zs_shade_phong_near. */
+extern const struct zs_shader zs_shade_texture_phong;
+
 #define ZS_VARYINGS_LIT 3u /* zs_shade_lit, zs_shade_phong, zs_shade_texture_lit */
 #define ZS_VARYINGS_PHONG_NEAR 6u
 #define ZS_VARYINGS_TEXTURE_TINTED 5u
+#define ZS_VARYINGS_TEXTURE_GLOSS 4u
+#define ZS_VARYINGS_TEXTURE_GLOSS_TINTED 8u
+#define ZS_VARYINGS_TEXTURE_PHONG 8u
 
 /* Return ZS_OK; ZS_ERR_NULL: no lighting, or lamps that are not given; ZS_ERR_RANGE: n_lamps, a
  * kind, strength, position, range or cone out of range; ZS_ERR_VECTOR: a direction whose length is

@@ -258,10 +258,10 @@ static int check_effects(const struct sim_options *o)
         return sim_refuse(o->model, 0, "--samples 4: the frame may be at most %d px wide and high", ZS_SIZE_MAX / 2);
     if (e->n_lights > 0 && o->has_light)
         return sim_usage("--light x,y,z is the only light: write it as dir:x,y,z beside others");
-    if (lit && o->shade != SIM_SHADE_FLAT && o->shade != SIM_SHADE_SMOOTH && o->shade != SIM_SHADE_DEFAULT)
-        return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat or smooth");
-    if ((e->per_pixel || e->specular_text != NULL) && o->shade != SIM_SHADE_SMOOTH)
-        return sim_usage("--specular and --per-pixel need --shade smooth");
+    if (lit && o->shade != SIM_SHADE_FLAT && !sim_options_smooth(o) && o->shade != SIM_SHADE_DEFAULT)
+        return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat, smooth or textured");
+    if ((e->per_pixel || e->specular_text != NULL) && !sim_options_smooth(o))
+        return sim_usage("--specular and --per-pixel need --shade smooth or textured");
     if (e->shadow == SIM_SHADOW_MAP && o->shade != SIM_SHADE_SMOOTH)
         return sim_usage("--shadow map needs --shade smooth");
     if (e->environment != NULL && o->shade != SIM_SHADE_SMOOTH)

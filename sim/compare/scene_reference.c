@@ -240,6 +240,7 @@ void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera)
 
 void sim_truth_light(struct ref_light *out, const struct zs_light *light, const struct zs_camera *camera)
 {
+    *out = (struct ref_light){ 0 };
     if (!light->dir[0] && !light->dir[1] && !light->dir[2] && !light->ambient && !light->diffuse) {
         for (int k = 0; k < 3; k++)
             out->dir[k] = (2 * turned(camera->rot, 6 + k) + 2 * turned(camera->rot, 3 + k) - turned(camera->rot, k)) /

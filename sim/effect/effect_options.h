@@ -53,7 +53,7 @@ struct sim_effect_options {
     { "Effects", SIM_OPTION_HEADING },                                                                                \
         { "--specular", SIM_OPTION_TEXT, offsetof(type, member.specular_text), .value = "POWER:STRENGTH",             \
           .help = "highlights by Blinn-Phong, sharper with more POWER, at most 128; STRENGTH at most 1; with "        \
-                  "--shade smooth" },                                                                                 \
+                  "--shade smooth or textured" },                                                                     \
         { "--per-pixel", SIM_OPTION_FLAG, offsetof(type, member.per_pixel),                                           \
           .help = "light at each pixel from interpolated normals (Phong shading); with --shade smooth" },             \
         { "--alpha",                                                                                                  \

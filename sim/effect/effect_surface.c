@@ -196,6 +196,17 @@ static int all_directional(const struct zs_lighting *lighting)
     return 1;
 }
 
+/* Have lamps a colour? Ambient light is grey. */
+static int colored(const struct zs_lighting *lighting)
+{
+    for (uint32_t k = 0; k < lighting->n_lamps; k++) {
+        const struct zs_rgb c = lighting->lamp[k].rgb;
+        if (c.r != c.g || c.g != c.b)
+            return 1;
+    }
+    return 0;
+}
+
 static int make_lit(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from,
                     const struct sim_view *view, const struct sim_options *o)
 {
@@ -205,13 +216,17 @@ static int make_lit(struct sim_effect_scene *out, uint32_t n, const struct sim_s
     const int phong = e->per_pixel, near_lamps = !all_directional(&s->lighting);
     const struct zs_shader *shader = phong && near_lamps            ? &zs_shade_phong_near
                                      : phong                        ? &zs_shade_phong
-                                     : o->shade == SIM_SHADE_SMOOTH ? &zs_shade_lit
+                                     : sim_options_smooth(o)        ? &zs_shade_lit
                                                                     : &zs_shade_lit_face;
+    const struct zs_shader *textured = phong                   ? &zs_shade_texture_phong
+                                       : colored(&s->lighting) ? &zs_shade_texture_gloss_tinted
+                                                               : &zs_shade_texture_gloss;
     s->lit = sim_alloc((size_t)n + 1, sizeof *s->lit);
     for (uint32_t i = 0; i < n; i++) {
         struct zs_lit_material *m = &s->lit[i];
         *m = (struct zs_lit_material){ .material = *out->instance[i].material, .lighting = &s->lighting };
-        m->material.shader = shader;
+        m->material.shader = m->material.texture != NULL ? textured : shader;
+        out->varyings = (uint8_t)fmax(out->varyings, m->material.shader->n_varyings);
         if (e->specular_text != NULL) {
             const uint8_t white = channel(e->specular_strength);
             m->shine = &s->shine;
@@ -219,7 +234,6 @@ static int make_lit(struct sim_effect_scene *out, uint32_t n, const struct sim_s
         }
         out->instance[i].material = &m->material;
     }
-    out->varyings = shader->n_varyings;
     return status;
 }
 

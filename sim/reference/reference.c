@@ -16,6 +16,8 @@
  */
 #include "reference.h"
 
+#include "lamps.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -611,7 +613,50 @@ static void face_normal(const struct ref_triangle *t, double n[3])
 struct paint {
     double colour[3][3]; /* of the vertices; all the same unless smooth */
     double light[3];     /* textured: intensity at the vertices */
+    int lamps;           /* flag: textured or per pixel, by lamps; of the vertices: */
+    double diffuse[3][3], more[3][3];
 };
+
+static double held(double c, double most)
+{
+    return c > 0 ? (c < most ? c : most) : 0;
+}
+
+/* A surface of that colour in the light at a point. */
+static void lamp_colour(const double base[3], const double diffuse[3], const double more[3], double out[3])
+{
+    for (int c = 0; c < 3; c++)
+        out[c] = clamp01(base[c] * diffuse[c] + more[c]);
+}
+
+static int is_smooth(const struct ref_triangle *t)
+{
+    return t->shade == REF_SHADE_SMOOTH || t->shade == REF_SHADE_TEXTURE_SMOOTH;
+}
+
+/* Returns 0 where lamps do not matter. */
+static int paint_lamps(const struct job *job, const struct ref_triangle *t, struct paint *out)
+{
+    double n[3], middle[3];
+
+    if (!job->light || !job->light->lamp || t->shade == REF_SHADE_RAW || t->shade == REF_SHADE_TEXTURE)
+        return 0;
+    out->lamps = is_textured(t) || (is_smooth(t) && job->light->per_pixel);
+    face_normal(t, n);
+    for (int c = 0; c < 3; c++)
+        middle[c] = (t->p[0][c] + t->p[1][c] + t->p[2][c]) / 3;
+    for (int k = 0; k < 3; k++) {
+        const double *at = is_smooth(t) ? t->p[k] : middle, *normal = is_smooth(t) ? t->n[k] : n;
+
+        ref_lamps_at(job->light, t, job->camera, at, normal, normal, out->diffuse[k], out->more[k]);
+        lamp_colour(t->rgb[is_smooth(t) ? k : 0], out->diffuse[k], out->more[k], out->colour[k]);
+        for (int c = 0; c < 3; c++) {
+            out->diffuse[k][c] = held(out->diffuse[k][c], 2);
+            out->more[k][c] = held(out->more[k][c], 1);
+        }
+    }
+    return 1;
+}
 
 static void paint_texture(const struct ref_triangle *t, const struct ref_light *light,
                           struct paint *out)
@@ -629,10 +674,14 @@ static void paint_texture(const struct ref_triangle *t, const struct ref_light *
     }
 }
 
-static void paint(const struct ref_triangle *t, const struct ref_light *light, struct paint *out)
+static void paint(const struct job *job, const struct ref_triangle *t, struct paint *out)
 {
+    const struct ref_light *light = job->light;
     double n[3];
 
+    out->lamps = 0;
+    if (paint_lamps(job, t, out))
+        return;
     for (int k = 0; k < 3; k++) {
         if (t->shade == REF_SHADE_SMOOTH) {
             light_colour(light, t->n[k], t->rgb[k], out->colour[k]);
@@ -671,6 +720,23 @@ static void texel_colour(const struct ref_texture *t, size_t index, double rgb[3
         unpack(t->rgb565[index], rgb);
     for (int c = 0; c < 3 && !t->rgb565; c++)
         rgb[c] = t->rgb[3 * index + (size_t)c] / 255.0;
+}
+
+/* The mean of the four texels around a point, by how near their centres are. */
+static void mixed_colour(const struct ref_texture *t, double u, double v, double rgb[3])
+{
+    const double x = u * t->width - 0.5, y = v * t->height - 0.5, x0 = floor(x), y0 = floor(y);
+
+    rgb[0] = rgb[1] = rgb[2] = 0;
+    for (int k = 0; k < 4; k++) {
+        const int i = k & 1, j = k >> 1;
+        const double weight = (i ? x - x0 : 1 - (x - x0)) * (j ? y - y0 : 1 - (y - y0));
+        double one[3];
+
+        texel_colour(t, texel_index(t, (x0 + i + 0.5) / t->width, (y0 + j + 0.5) / t->height), one);
+        for (int c = 0; c < 3; c++)
+            rgb[c] += weight * one[c];
+    }
 }
 
 /* ---- from visibility to picture ---- */
@@ -727,24 +793,68 @@ static void put_texture(struct ref_image *image, size_t pixel, const struct ref_
         image->texture[pixel] = texture;
 }
 
-static void seen_texel(const struct ref_triangle *t, const struct paint *p, const double weight[3],
-                       struct ref_image *image, size_t pixel, double rgb[3])
+/* Light of lamps at the pixel: from the vertices, or that of the point. */
+static void lamps_at_pixel(const struct job *job, const struct ref_triangle *t, const struct paint *p,
+                           const double weight[3], double diffuse[3], double more[3])
+{
+    double at[3], n[3], side[3];
+
+    for (int c = 0; c < 3; c++) {
+        at[c] = blend(weight, t->p[0][c], t->p[1][c], t->p[2][c]);
+        n[c] = blend(weight, t->n[0][c], t->n[1][c], t->n[2][c]);
+        diffuse[c] = blend(weight, p->diffuse[0][c], p->diffuse[1][c], p->diffuse[2][c]);
+        more[c] = blend(weight, p->more[0][c], p->more[1][c], p->more[2][c]);
+    }
+    if (job->light->per_pixel && is_smooth(t)) {
+        face_normal(t, side);
+        ref_lamps_at(job->light, t, job->camera, at, n, side, diffuse, more);
+    }
+}
+
+static void seen_texel(const struct job *job, const struct ref_triangle *t, const struct paint *p,
+                       const double weight[3], struct ref_image *image, size_t pixel, double rgb[3])
 {
     double u = blend(weight, t->uv[0][0], t->uv[1][0], t->uv[2][0]);
     double v = blend(weight, t->uv[0][1], t->uv[1][1], t->uv[2][1]);
-    double light = blend(weight, p->light[0], p->light[1], p->light[2]);
+    double light = blend(weight, p->light[0], p->light[1], p->light[2]), diffuse[3], more[3];
     size_t index = texel_index(t->texture, u, v);
 
-    texel_colour(t->texture, index, rgb);
-    for (int c = 0; c < 3; c++)
-        rgb[c] = clamp01(rgb[c] * light);
+    if (t->texture->bilinear)
+        mixed_colour(t->texture, u, v, rgb);
+    else
+        texel_colour(t->texture, index, rgb);
+    if (p->lamps) {
+        lamps_at_pixel(job, t, p, weight, diffuse, more);
+        lamp_colour(rgb, diffuse, more, rgb);
+    } else {
+        for (int c = 0; c < 3; c++)
+            rgb[c] = clamp01(rgb[c] * light);
+    }
     put_texture(image, pixel, t->texture, u, v, (uint32_t)index + 1);
 }
 
-static void seen_colour(const struct paint *p, const double weight[3], double rgb[3])
+static void seen_colour(const struct job *job, const struct ref_triangle *t, const struct paint *p,
+                        const double weight[3], double rgb[3])
 {
-    for (int c = 0; c < 3; c++)
+    double base[3], diffuse[3], more[3];
+
+    for (int c = 0; c < 3; c++) {
         rgb[c] = blend(weight, p->colour[0][c], p->colour[1][c], p->colour[2][c]);
+        base[c] = blend(weight, t->rgb[0][c], t->rgb[1][c], t->rgb[2][c]);
+    }
+    if (p->lamps) {
+        lamps_at_pixel(job, t, p, weight, diffuse, more);
+        lamp_colour(base, diffuse, more, rgb);
+    }
+}
+
+static void seen_fog(const struct job *job, size_t pixel, double rgb[3])
+{
+    const struct ref_fog *fog = job->light ? job->light->fog : NULL;
+    const double part = fog ? ref_fog_at(fog, job->z[pixel]) : 0;
+
+    for (int c = 0; c < 3 && fog; c++)
+        rgb[c] += part * (fog->rgb[c] - rgb[c]);
 }
 
 /* Shades the visible pixels. A triangle's setup is made again here, once for each run of pixels. */
@@ -765,15 +875,17 @@ static void resolve(const struct job *job, uint16_t background, struct ref_image
         unpack(background, rgb);
         if (t && winner != current) {
             setup_triangle(job, t, &s);
-            paint(t, job->light, &p);
+            paint(job, t, &p);
             current = winner;
         }
         if (t)
             weights_at(job, &s, i, weight);
         if (t && is_textured(t))
-            seen_texel(t, &p, weight, image, i, rgb);
+            seen_texel(job, t, &p, weight, image, i, rgb);
         else if (t)
-            seen_colour(&p, weight, rgb);
+            seen_colour(job, t, &p, weight, rgb);
+        if (t)
+            seen_fog(job, i, rgb);
         put_colour(image, i, rgb);
     }
 }

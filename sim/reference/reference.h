@@ -72,6 +72,7 @@ struct ref_texture {
     const uint8_t *rgb;     /* [height][width][3], 255 is 1; or NULL */
     const uint16_t *rgb565; /* [height][width], codes / 31, / 63, / 31; or NULL */
     int clamp_u, clamp_v;   /* flags */
+    int bilinear;           /* flag: texels are mixed of the four whose centres are around the point */
 };
 
 /*
@@ -92,6 +93,11 @@ struct ref_triangle {
     int cull;         /* enum ref_cull: which side is not drawn */
     double uv[3][2];  /* texture coordinates (texture modes), magnitude at most 1e9 */
     const struct ref_texture *texture; /* texture modes; borrowed */
+    /* Read only in the light of lamps (ref_light): */
+    double specular[3]; /* colour of highlights, 0..1 */
+    double power;       /* of highlights; 0: none */
+    double emission[3]; /* light of its own, 0..1 */
+    int two_sided;      /* flag: normals that point away from the eye are turned round; per pixel if the face's does */
 };
 
 /*
@@ -111,6 +117,25 @@ struct ref_camera {
     double far_z;  /* world */
 };
 
+enum ref_lamp_kind { REF_LAMP_DIR = 0, REF_LAMP_POINT = 1, REF_LAMP_SPOT = 2 };
+
+struct ref_lamp {
+    int kind;            /* enum ref_lamp_kind */
+    double at[3];        /* dir: towards it, any length but 0; else where it is, world */
+    double aim[3];       /* spot: the way in which it shines, any length but 0 */
+    double rgb[3];       /* its colour times its strength */
+    double range;        /* times (1 - (d / range)^2)^2 at a distance d below it; 0: no limit */
+    double inner, outer; /* spot: cosines of the angles up to which it is full, from which on it is dark; between
+                            them t^2 (3 - 2 t) */
+};
+
+/* Colours fade into one with the distance z: linearly from start to end, or by 1 - exp(-density z). */
+struct ref_fog {
+    double start, end; /* world */
+    double density;    /* > 0: exponential; start and end are not read */
+    double rgb[3];     /* 0..1 */
+};
+
 /* One light at infinity. intensity = ambient + diffuse * max(0, n . dir); colour * intensity is
  * clamped to 0..1 by channel, at the vertex or face, before any interpolation. With a texture the
  * intensity is interpolated and texel * intensity is clamped at the pixel. */
@@ -118,6 +143,15 @@ struct ref_light {
     double dir[3]; /* unit, world, from the surface towards the light */
     double ambient;
     double diffuse;
+    /* Lamps in its place: ambient, and these. At a point, a channel is, clamped to 0..1,
+     *     colour * (ambient + sum(lamp * max(0, n . l))) + specular * sum(lamp * highlight) + emission
+     * as lamps.h has it: once for a face, at its centre; at the vertices, clamped there and interpolated in space
+     * (with a texture, whose colour is the pixel's, the first bracket is clamped to 2 and the rest to 1); or per
+     * pixel, by normals that are interpolated. */
+    const struct ref_lamp *lamp; /* [n_lamps]; NULL: the light above */
+    int n_lamps;
+    int per_pixel;             /* flag; smooth modes with lamps */
+    const struct ref_fog *fog; /* NULL: none. Where nothing is drawn there is none */
 };
 
 /* How z becomes a key; near and far are the camera's. */

@@ -185,7 +185,8 @@ MUTATE_NOT = explain.c linux.c pair.c examples.c help.c model_pack.c polygon.c p
              panel_picture.c
 MUTATE_FILES = $(filter-out $(MUTATE_NOT:%=\%/test_%),$(TESTS))
 MUTATE_TESTS = $(basename $(notdir $(MUTATE_FILES)))
-MUTATE_SIM = sim/frame/pixel_counts.c sim/frame/demo_frame.c $(FRAME) sim/reference/reference.c sim/reference/rays.c
+MUTATE_SIM = sim/frame/pixel_counts.c sim/frame/demo_frame.c $(FRAME) sim/reference/reference.c \
+             sim/reference/lamps.c sim/reference/rays.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
 	$(info files $(MUTATE_FILES))

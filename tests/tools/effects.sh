@@ -194,6 +194,28 @@ look pixel out/phong.png 175 120
 case $seen in ??0000) ;; *) wrong "the edge shines: $seen" ;; esac
 ! cmp out/shiny.png out/phong.png >/dev/null || wrong '--per-pixel did nothing'
 
+begin highlights_on_textures # a dark blue texture, on which white light falls in the middle
+./fixture png rgb blue.png 1 1 000040
+awk '/^f/ { print "f", $2 "/1", $3 "/1", $4 "/1", $5 "/1"; next } { print }' ball.obj |
+    sed '1i vt 0.5 0.5' >skin.obj
+skin='--shade textured --texture blue.png --light 0,0,1'
+effect dull skin.obj $plain $skin
+look pixel out/dull.png 120 120
+case $seen in 0000*) ;; *) wrong "without highlights the middle is $seen" ;; esac
+effect shiny skin.obj $plain $skin --specular 20:1
+codes shiny 119 119 2 2 22750 46500 31000
+effect phong skin.obj $plain $skin --specular 20:1 --per-pixel
+codes phong 119 119 2 2 23250 47250 31000
+effect colored skin.obj $plain --shade textured --texture blue.png --light dir:0,0,1:ff0000 --specular 20:1
+look pixel out/colored.png 120 120
+case $seen in [b-c]?00*) ;; *) wrong "red light shines $seen" ;; esac
+for of in shiny phong; do # far from the highlight, the texture is as it was
+    look codes out/dull.png 172 118 3 3
+    # shellcheck disable=SC2086
+    codes $of 172 118 3 3 $seen
+done
+! cmp out/shiny.png out/phong.png >/dev/null || wrong '--per-pixel did nothing'
+
 # ---- Shadows ---------------------------------------------------------------------------------------------------------
 begin shadow_planar # from above: the light comes from the right, the shadow lies to the left of the ball
 sideways='--light 1,1,0 --shadow planar --shade smooth'

@@ -495,7 +495,10 @@ static void is_the_formula_at_pixels_near_lamps(void **state)
 
 static const struct zs_shader *const shaders[] = { &zs_shade_lit_face,    &zs_shade_lit,
                                                    &zs_shade_phong,       &zs_shade_phong_near,
-                                                   &zs_shade_texture_lit, &zs_shade_texture_tinted };
+                                                   &zs_shade_texture_lit, &zs_shade_texture_tinted,
+                                                   &zs_shade_texture_gloss,
+                                                   &zs_shade_texture_gloss_tinted,
+                                                   &zs_shade_texture_phong };
 #define SHADERS (sizeof shaders / sizeof shaders[0])
 
 /* Up to 7 steps from where the mesh has it, towards its middle. */
@@ -531,7 +534,7 @@ static int way_case(uint64_t seed)
         any_lights(&l[i], &p, around, 20000, k == 2 ? 1 : 3, k == 2 ? 3 : 7);
         l[i].material.material = *in[i].material;
         const int textured = in[i].mesh->uv && in[i].material->texture;
-        if ((k && !in[i].mesh->normal) || ((k == 4 || k == 5) && !textured))
+        if ((k && !in[i].mesh->normal) || (k >= 4 && k < SHADERS && !textured))
             continue;
         if (k < SHADERS) {
             l[i].material.material.shader = shaders[k];

@@ -52,6 +52,9 @@ void zs_lit_lamp(const struct zs_lit_material *m, struct zs_lit_sum *sum);
 /* Sum the light of all lamps. */
 void zs_lit_add(const struct zs_lit_material *m, const struct zs_lit_at *at,
                 struct zs_lit_sum *sum);
+/* The light at a point of a face or vertex, as zs_lit_color takes it. */
+void zs_lit_sum_at(const struct zs_shading *s, const int32_t p[3], const zs_q1_15 normal[3],
+                   struct zs_lit_sum *sum);
 /* The colour of a surface in that light, 0 .. 65535. */
 void zs_lit_mix(const struct zs_lit_material *m, struct zs_rgb rgb, const struct zs_lit_sum *sum,
                 uint16_t out[3]);
@@ -90,6 +93,9 @@ int zs_lit_check(const struct zs_instance *in, const struct zs_config *config);
 
 /* A bit of zs_tri.paint: normals are turned round. The others are face_rgb, five bits a channel. */
 #define ZS_PHONG_TURNED 1u
+
+/* The checks of textured shaders that need normals and lamps. */
+int zs_lit_texture_check(const struct zs_instance *in, const struct zs_config *config);
 
 /* Varyings: three of the normal; and three of the position. */
 void zs_phong_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);

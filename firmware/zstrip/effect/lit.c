@@ -7,8 +7,8 @@
 #include "shade/stages.h"
 
 /* The light at a point of a face or vertex. */
-static void light_at(const struct zs_shading *s, const int32_t p[3], const zs_q1_15 normal[3],
-                     struct zs_lit_sum *sum)
+ZS_ALWAYS_INLINE void light_at(const struct zs_shading *s, const int32_t p[3],
+                               const zs_q1_15 normal[3], struct zs_lit_sum *sum)
 {
     const struct zs_instance *const in = s->instance;
     const struct zs_lit_material *const m = zs_lit_material_of(in);
@@ -28,6 +28,12 @@ static void light_at(const struct zs_shading *s, const int32_t p[3], const zs_q1
             zs_lit_view(&at, s->camera, 0);
     }
     zs_lit_add(m, &at, sum);
+}
+
+void zs_lit_sum_at(const struct zs_shading *s, const int32_t p[3], const zs_q1_15 normal[3],
+                   struct zs_lit_sum *sum)
+{
+    light_at(s, p, normal, sum);
 }
 
 void zs_lit_color(const struct zs_shading *s, struct zs_rgb rgb, const int32_t p[3],

@@ -6,7 +6,7 @@
 #include "shade/texture.h"
 #include "shade/stages.h"
 
-static int textured_check(const struct zs_instance *in, const struct zs_config *config)
+int zs_lit_texture_check(const struct zs_instance *in, const struct zs_config *config)
 {
     const int err = zs_texture_usable(in, config);
     if (err)
@@ -38,8 +38,9 @@ static void lit_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 }
 
 const struct zs_shader zs_shade_texture_lit = {
-    .vertex = lit_vertex, .start = zs_texture_start, .run = zs_texture_run, .check = textured_check,
-    .light = zs_texture_light, .n_varyings = ZS_VARYINGS_LIT, .opaque = 1
+    .vertex = lit_vertex, .start = zs_texture_start, .run = zs_texture_run,
+    .check = zs_lit_texture_check, .light = zs_texture_light, .n_varyings = ZS_VARYINGS_LIT,
+    .opaque = 1
 };
 
 /* ---- Colours --------------------------------------------------------------------------------- */
@@ -89,6 +90,6 @@ static void tinted_fragment(const struct zs_instance *in, struct zs_fragment *f)
 const struct zs_shader zs_shade_texture_tinted = { .vertex = tinted_vertex,
                                                    .fragment = tinted_fragment,
                                                    ZS_FRAGMENTS,
-                                                   .check = textured_check,
+                                                   .check = zs_lit_texture_check,
                                                    .n_varyings = ZS_VARYINGS_TEXTURE_TINTED,
                                                    .opaque = 1 };

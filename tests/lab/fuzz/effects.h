@@ -32,7 +32,7 @@ struct kind_effect {
     uint8_t needs; /* enum effect_needs, or-ed */
 };
 
-#define EFFECT_KINDS 46
+#define EFFECT_KINDS 49
 extern const struct kind_effect kind_effects[EFFECT_KINDS];
 
 /* Formats with alpha. */

@@ -1,0 +1,82 @@
+/* Textures lit at each pixel: Phong shading, highlights on top.
+ *
+ * A normal n as a varying is n + 32768 of 65536. Times w, both are linear on the screen, and so is
+ * their difference, N w, whose direction is that of N: nothing is divided for it.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "effect/gloss.h"
+
+static const struct zs_shader as_unlit = { .n_varyings = 2 };
+
+static void pixel_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+{
+    const struct zs_mesh *const mesh = s->instance->mesh;
+    out[0] = (uint16_t)(mesh->uv[v][0] + 32768);
+    out[1] = (uint16_t)(mesh->uv[v][1] + 32768);
+#if ZS_VARYINGS_MAX >= 8
+    zs_phong_near_vertex(s, v, out + 2);
+#endif
+}
+
+static void pixel_start(struct zs_job *job)
+{
+    zs_gloss_start_as(job, &as_unlit);
+#if ZS_VARYINGS_MAX >= 8
+    zs_gloss_planes(job, 2, 8);
+#endif
+}
+
+#if ZS_VARYINGS_MAX >= 8
+/* Set at->pos and at->n at a covered pixel. */
+static void point_at(const struct zs_job *job, const struct zs_instance *in, int32_t i, int32_t row,
+                     int placed, struct zs_lit_at *at)
+{
+    uint32_t w, square;
+    int32_t lz, n[3], p[3], exp;
+    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
+    const int turned = job->tri->paint & ZS_PHONG_TURNED;
+    for (int k = 0; k < 3; k++) { /* < 2^31 - 2^30, both */
+        const int32_t nw = (int32_t)(zs_plane_at(&job->c[2 + k], i, row) - (w >> 1));
+        n[k] = turned ? -nw : nw;
+    }
+    (void)zs_lit_unit(at->n, n, &square, &exp);
+    if (!placed)
+        return;
+    for (int k = 0; k < 3; k++)
+        p[k] = (int32_t)(zs_persp_over(zs_plane_at(&job->c[5 + k], i, row), w, rcp, lz) >> 7) -
+               32768 * 256; /* uq1_31 of 65536 steps */
+    zs_lit_place(at, in, p);
+}
+#endif
+
+static void pixel_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    zs_gloss_run_as(job, &as_unlit, row, from, to);
+#if ZS_VARYINGS_MAX >= 8
+    const struct zs_instance *const in = zs_instance_of(job->r, job->tri->instance);
+    const struct zs_lit_material *const m = zs_lit_material_of(in);
+    const struct zs_camera *const camera = &job->r->camera;
+    const int near = m->flags & ZS_LIT_NEAR_VIEWER, placed = zs_lit_placed(m, camera);
+    const uint8_t s[3] = { m->specular.r, m->specular.g, m->specular.b };
+    const uint8_t e[3] = { m->emission.r, m->emission.g, m->emission.b };
+    struct zs_lit_at at;
+    zs_lit_view(&at, camera, 0);
+    for (int32_t i = from; i < to; i++) {
+        struct zs_lit_sum sum;
+        uint32_t more[3];
+        point_at(job, in, i, row->y, placed, &at);
+        if (near)
+            zs_lit_view(&at, camera, 1);
+        zs_lit_add(m, &at, &sum);
+        for (int k = 0; k < 3; k++)
+            more[k] = zs_lit_part(s[k], sum.shine[k]) + e[k] * 257u;
+        zs_gloss_pixel(job->color + row->at + i, sum.diffuse, more);
+    }
+#endif
+}
+
+const struct zs_shader zs_shade_texture_phong = {
+    .vertex = pixel_vertex, .face = zs_phong_face, .start = pixel_start, .run = pixel_run,
+    .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_PHONG, .opaque = 1
+};
