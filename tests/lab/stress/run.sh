@@ -68,7 +68,7 @@ END
 
 case ${2:-} in
 cut)
-    cases=120
+    cases=150
     failed=0
     for kind in tris frames; do
         rm -f "$S/cut-$kind.txt"
