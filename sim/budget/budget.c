@@ -99,9 +99,9 @@ static const struct sim_option table[] = {
       .help = "all that --methods may take, with renderer, scene and stack (16384)" },
     { "--check", SIM_OPTION_FILE, AT(check),
       .help =
-          "limits, one a line, `name = number`, # begins a comment: most for ram, arena, stack, flash, wire_ms, strip_ms, "
-          "draw_ms, frame_ms, least for fps, ram_left, flash_left; exit status 1 where one is exceeded. Times need "
-          "--part, or --core and --mhz" },
+          "limits, one a line, `name = number`, # begins a comment: most for ram, arena, stack, flash, wire_ms, "
+          "strip_ms, draw_ms, frame_ms, least for fps, ram_left, flash_left; exit status 1 where one is exceeded. "
+          "Times need --part, or --core and --mhz" },
     { "--elf", SIM_OPTION_FILE, AT(elf), .value = "F.elf",
       .help = "flash and RAM of this build in place of the sums (--check, --part)" },
     { "--csv", SIM_OPTION_FLAG, AT(csv), .help = "figure,value,unit a line" },

@@ -19,7 +19,7 @@ FUNCTION_MAX=${FUNCTION_MAX:-63}   # lines of code of a function, from { to }; t
 COLUMNS_MAX=${COLUMNS_MAX:-100}    # columns of a line in firmware/zstrip
 COLUMNS_MANY=${COLUMNS_MANY:-0}    # ... and lines that have more
 ELSE_MAX=${ELSE_MAX:-126}          # columns of a line of what else is written here; the goal is 120
-ELSE_MANY=${ELSE_MANY:-1}
+ELSE_MANY=${ELSE_MANY:-0}
 
 # "FILE lines code" of each file; of each function "function FILE:LINE NAME code"
 lines() {
