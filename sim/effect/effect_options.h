@@ -55,7 +55,8 @@ struct sim_effect_options {
           .help = "highlights by Blinn-Phong, sharper with more POWER, at most 128; STRENGTH at most 1; with "        \
                   "--shade smooth or textured" },                                                                     \
         { "--per-pixel", SIM_OPTION_FLAG, offsetof(type, member.per_pixel),                                           \
-          .help = "light at each pixel from interpolated normals (Phong shading); with --shade smooth" },             \
+          .help = "light at each pixel from interpolated normals (Phong shading); with --shade smooth or "        \
+                  "textured" },                                                                                       \
         { "--alpha",                                                                                                  \
           SIM_OPTION_NUMBER,                                                                                          \
           offsetof(type, member.alpha),                                                                               \

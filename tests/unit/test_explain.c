@@ -400,6 +400,13 @@ static void alpha_0(struct world *w)
     w->glass.alpha = 0;
 }
 
+static void check_all(const struct mistake *m, size_t n)
+{
+    for (size_t k = 0; k < n; k++)
+        check_mistake(&m[k]);
+}
+#define CHECK_ALL(table) check_all(table, sizeof(table) / sizeof(table)[0])
+
 static const struct mistake unseen[] = {
     { "too far", NULL, too_far, ZS_OK,
       "instance 0 is out of view: it begins 87047 beyond far = 20000; move it, or raise far.\n" },
@@ -432,8 +439,7 @@ static const struct mistake unseen[] = {
 
 static void nothing_is_seen(void **state)
 {
-    for (size_t k = 0; k < sizeof unseen / sizeof unseen[0]; k++)
-        check_mistake(&unseen[k]);
+    CHECK_ALL(unseen);
 }
 
 /* ---- Mistakes: it is dark -------------------------------------------------------------------- */
@@ -551,8 +557,7 @@ static const struct mistake dark[] = {
 
 static void it_is_dark(void **state)
 {
-    for (size_t k = 0; k < sizeof dark / sizeof dark[0]; k++)
-        check_mistake(&dark[k]);
+    CHECK_ALL(dark);
 }
 
 /* ---- Mistakes: parts are wrong --------------------------------------------------------------- */
@@ -705,8 +710,7 @@ static const struct mistake wrong[] = {
 
 static void parts_are_wrong(void **state)
 {
-    for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++)
-        check_mistake(&wrong[k]);
+    CHECK_ALL(wrong);
 }
 
 /* ---- Mistakes: it is slow -------------------------------------------------------------------- */
@@ -741,8 +745,7 @@ static const struct mistake slow[] = {
 
 static void it_is_slow(void **state)
 {
-    for (size_t k = 0; k < sizeof slow / sizeof slow[0]; k++)
-        check_mistake(&slow[k]);
+    CHECK_ALL(slow);
 }
 
 /* The pools that a sentence names take the scene in one pass. */
@@ -954,8 +957,7 @@ static const struct mistake refused[] = {
 
 static void errors_name_the_thing(void **state)
 {
-    for (size_t k = 0; k < sizeof refused / sizeof refused[0]; k++)
-        check_mistake(&refused[k]);
+    CHECK_ALL(refused);
 }
 
 /* ---- More mistakes ---------------------------------------------------------------------------- */
@@ -1140,8 +1142,7 @@ static const struct mistake more[] = {
 
 static void more_mistakes(void **state)
 {
-    for (size_t k = 0; k < sizeof more / sizeof more[0]; k++)
-        check_mistake(&more[k]);
+    CHECK_ALL(more);
 }
 
 /* A large picture without accelerators is slow. */

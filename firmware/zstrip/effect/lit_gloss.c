@@ -3,16 +3,20 @@
  * Where no vertex of a triangle has a highlight, and there is no emission, its pixels are those of
  * zs_shade_texture_smooth, and cost no more.
  *
+ * Where a vertex cannot have as many varyings, the shaders are empty: what uses them is
+ * refused, ZS_ERR_VARYINGS.
+ *
  * SPDX-License-Identifier: MIT
  */
 #include "effect/gloss.h"
 
+/* ---- By luminance ---------------------------------------------------------------------------- */
+
+#if ZS_VARYINGS_MAX >= 4
 static inline uint32_t most_of(struct zs_rgb c)
 {
     return zs_maxu32(zs_maxu32(c.r, c.g), c.b);
 }
-
-/* ---- By luminance ---------------------------------------------------------------------------- */
 
 /* Rec. 601: 77, 150 and 29 of 256. c < 2^21 */
 static uint32_t luminance(const uint32_t c[3])
@@ -28,10 +32,8 @@ static void gloss_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
     struct zs_lit_sum sum;
     zs_gloss_vertex(s, v, out, &sum);
     out[2] = (uint16_t)zs_minu32((luminance(sum.diffuse) + 1u) >> 1, LIGHT_MAX);
-#if ZS_VARYINGS_MAX >= 4
     const uint8_t most = (uint8_t)most_of(zs_lit_material_of(s->instance)->specular);
     out[3] = (uint16_t)zs_minu32(zs_lit_part(most, luminance(sum.shine)), 65535u);
-#endif
 }
 
 static const struct zs_shader as_smooth = { .light = zs_texture_light, .n_varyings = 3 };
@@ -39,20 +41,17 @@ static const struct zs_shader as_smooth = { .light = zs_texture_light, .n_varyin
 static void gloss_start(struct zs_job *job)
 {
     zs_gloss_start_as(job, &as_smooth);
-#if ZS_VARYINGS_MAX >= 4
     const uint16_t *a[3];
     zs_persp_attrs(job, a);
     if (a[0][3] | a[1][3] | a[2][3])
         zs_gloss_planes(job, 3, 4);
     else
         job->c[3] = (struct zs_plane){ 0 };
-#endif
 }
 
 static void gloss_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     zs_gloss_run_as(job, &as_smooth, row, from, to);
-#if ZS_VARYINGS_MAX >= 4
     const struct zs_lit_material *const m =
         zs_lit_material_of(zs_instance_of(job->r, job->tri->instance));
     const struct zs_plane *const plane = &job->c[3];
@@ -77,26 +76,29 @@ static void gloss_run(struct zs_job *job, const struct zs_row *row, int32_t from
             more[k] = (share[k] * h >> 15) + e[k] * 257u;
         zs_gloss_pixel(job->color + row->at + i, one, more);
     }
-#endif
 }
 
 const struct zs_shader zs_shade_texture_gloss = {
     .vertex = gloss_vertex, .start = gloss_start, .run = gloss_run,
     .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_GLOSS, .opaque = 1
 };
+#else
+const struct zs_shader zs_shade_texture_gloss = {
+    .run = zs_texture_run, .n_varyings = ZS_VARYINGS_TEXTURE_GLOSS
+};
+#endif
 
 /* ---- By channel ------------------------------------------------------------------------------ */
 
+#if ZS_VARYINGS_MAX >= 8
 static void tinted_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
     struct zs_lit_sum sum;
     zs_gloss_vertex(s, v, out, &sum);
-#if ZS_VARYINGS_MAX >= 8
     static const struct zs_rgb black = { 0, 0, 0 };
     zs_lit_mix(zs_lit_material_of(s->instance), black, &sum, out + 5);
     for (int k = 0; k < 3; k++)
         out[2 + k] = (uint16_t)zs_minu32((sum.diffuse[k] + 1u) >> 1, 65535u);
-#endif
 }
 
 static const struct zs_shader as_unlit = { .n_varyings = 2 };
@@ -104,15 +106,12 @@ static const struct zs_shader as_unlit = { .n_varyings = 2 };
 static void tinted_start(struct zs_job *job)
 {
     zs_gloss_start_as(job, &as_unlit);
-#if ZS_VARYINGS_MAX >= 8
     zs_gloss_planes(job, 2, 8);
-#endif
 }
 
 static void tinted_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     zs_gloss_run_as(job, &as_unlit, row, from, to);
-#if ZS_VARYINGS_MAX >= 8
     for (int32_t i = from; i < to; i++) {
         uint32_t c[6], w;
         int32_t lz;
@@ -122,10 +121,14 @@ static void tinted_run(struct zs_job *job, const struct zs_row *row, int32_t fro
                    (k < 3 ? 14 : 15);
         zs_gloss_pixel(job->color + row->at + i, c, c + 3);
     }
-#endif
 }
 
 const struct zs_shader zs_shade_texture_gloss_tinted = {
     .vertex = tinted_vertex, .start = tinted_start, .run = tinted_run,
     .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_GLOSS_TINTED, .opaque = 1
 };
+#else
+const struct zs_shader zs_shade_texture_gloss_tinted = {
+    .run = zs_texture_run, .n_varyings = ZS_VARYINGS_TEXTURE_GLOSS_TINTED
+};
+#endif

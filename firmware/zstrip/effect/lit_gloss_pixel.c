@@ -7,6 +7,7 @@
  */
 #include "effect/gloss.h"
 
+#if ZS_VARYINGS_MAX >= 8
 static const struct zs_shader as_unlit = { .n_varyings = 2 };
 
 static void pixel_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
@@ -14,20 +15,15 @@ static void pixel_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
     const struct zs_mesh *const mesh = s->instance->mesh;
     out[0] = (uint16_t)(mesh->uv[v][0] + 32768);
     out[1] = (uint16_t)(mesh->uv[v][1] + 32768);
-#if ZS_VARYINGS_MAX >= 8
     zs_phong_near_vertex(s, v, out + 2);
-#endif
 }
 
 static void pixel_start(struct zs_job *job)
 {
     zs_gloss_start_as(job, &as_unlit);
-#if ZS_VARYINGS_MAX >= 8
     zs_gloss_planes(job, 2, 8);
-#endif
 }
 
-#if ZS_VARYINGS_MAX >= 8
 /* Set at->pos and at->n at a covered pixel. */
 static void point_at(const struct zs_job *job, const struct zs_instance *in, int32_t i, int32_t row,
                      int placed, struct zs_lit_at *at)
@@ -48,12 +44,10 @@ static void point_at(const struct zs_job *job, const struct zs_instance *in, int
                32768 * 256; /* uq1_31 of 65536 steps */
     zs_lit_place(at, in, p);
 }
-#endif
 
 static void pixel_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     zs_gloss_run_as(job, &as_unlit, row, from, to);
-#if ZS_VARYINGS_MAX >= 8
     const struct zs_instance *const in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_lit_material *const m = zs_lit_material_of(in);
     const struct zs_camera *const camera = &job->r->camera;
@@ -73,10 +67,14 @@ static void pixel_run(struct zs_job *job, const struct zs_row *row, int32_t from
             more[k] = zs_lit_part(s[k], sum.shine[k]) + e[k] * 257u;
         zs_gloss_pixel(job->color + row->at + i, sum.diffuse, more);
     }
-#endif
 }
 
 const struct zs_shader zs_shade_texture_phong = {
     .vertex = pixel_vertex, .face = zs_phong_face, .start = pixel_start, .run = pixel_run,
     .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_PHONG, .opaque = 1
 };
+#else /* refused, ZS_ERR_VARYINGS, wherever it is used */
+const struct zs_shader zs_shade_texture_phong = {
+    .run = zs_texture_run, .n_varyings = ZS_VARYINGS_TEXTURE_PHONG
+};
+#endif
