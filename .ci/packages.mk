@@ -14,7 +14,7 @@ PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-ar
              valgrind $(if $(shell command -v npm),,nodejs npm)
 PKG_SHOW = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi $(if $(shell command -v npm),,nodejs npm)
 PKG_ENGINE = gcc libc6-dev libmeshoptimizer-dev clang lld wasi-libc libclang-rt-14-dev-wasm32
-PKG_WEB = $(PKG_ENGINE) nodejs
+PKG_WEB = $(PKG_ENGINE) gcc-arm-none-eabi libnewlib-arm-none-eabi esbuild $(if $(shell command -v npm),,nodejs npm)
 PKG_WEB_TEST = $(PKG_WEB) chromium
 PKG_PACKAGE = gcc libc6-dev cmake dpkg-dev libgpiod-dev pkg-config
 PKG_PROVE = gcc libc6-dev frama-c-base

@@ -3,7 +3,8 @@
 #
 # APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, $(B)/fw/$(BOARD)/teapot.elf (scene.elf);
 #   APP_SCENE='scene.c thing.c': with what else it is made of, such as a converted model
-# NAME=name APP_SRC=files [APP_FLAGS=flags] [EXTRA=objects]: any other program
+# NAME=name APP_SRC=files [APP_FLAGS=flags] [EXTRA=objects] [APP_LINK=flags]: any other program; flags of the compiler
+#   and of the linker
 # DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
 #   another choice compiles all anew
 # LEAN=1: least flash: no accelerators (firmware/zstrip/fast is not compiled), -Os; $(B)/fw/$(BOARD)-lean
@@ -116,7 +117,7 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sectio
 note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1
 DEFINED := $(call note,$(OUT)/defines,$(DEFINES))
 FLAGGED := $(call note,$(OUT)/of-$(NAME)/flags,$(APP_FLAGS))
-LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA))
+LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA) $(APP_LINK))
 
 # What knows nothing of the board is compiled the same for all boards of a core, once where ccache is in the path: of
 # DEFINES it takes the library's alone, -DZS_...
@@ -142,7 +143,8 @@ FULL = $(BOARD): $(NAME) does not fit it. Pools take most of the RAM: give fewer
 run: $(ELF)
 	@$(BOARD_RUN) $(ELF)
 $(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS) $(LINKED)
-	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) $(BOARD_LIBS) -o $@ 2>$@.log || \
+	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(APP_LINK) $(OBJ) $(EXTRA) $(BOARD_LIBS) -o $@ \
+	    2>$@.log || \
 	    { cat $@.log >&2; ! grep -q overflowed $@.log || echo '$(FULL)' >&2; exit 1; }
 	@cat $@.log >&2; rm -f $@.log
 $(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED) $(FLAGGED)

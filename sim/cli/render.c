@@ -144,10 +144,10 @@ static void explain(const struct job *job)
         (void)sim_explain(job->options.model, job->drawn, &job->scene->camera, &job->config, job->scene->unit);
 }
 
-static int draw_frame(struct job *job)
+/* All that a frame is drawn from. */
+static int prepare(struct job *job)
 {
     const struct sim_options *o = &job->options;
-    const size_t pixels = (size_t)o->size[0] * (size_t)o->size[1];
     struct sim_kept_scene *kept = job->kept != NULL ? job->kept : &job->own;
     int status = sim_kept_take(kept, &job->model, &job->view, o);
     job->scene = &kept->scene;
@@ -169,7 +169,16 @@ static int draw_frame(struct job *job)
         job->drawn = &job->effect.scene;
     }
     set_config(job);
-    status = draw_strips(job);
+    return SIM_OK;
+}
+
+static int draw_frame(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    const size_t pixels = (size_t)o->size[0] * (size_t)o->size[1];
+    int status = prepare(job);
+    if (status == SIM_OK)
+        status = draw_strips(job);
     if (status != SIM_OK)
         return status;
     explain(job);
@@ -525,6 +534,36 @@ int sim_render_all(struct sim_rendered *out, struct sim_kept_scene *kept, const 
         memcpy(out->lost, job->scene->lost, sizeof out->lost);
         memset(&job->frame, 0, sizeof job->frame); /* the caller's */
         memset(&job->shown, 0, sizeof job->shown);
+    }
+    job->model = none; /* the caller's */
+    job_free(job);
+    return status;
+}
+
+int sim_render_scene(struct sim_kept_scene *kept, const struct sim_model *model, const struct sim_options *o,
+                     int (*use)(void *ctx, const struct sim_drawn_scene *drawn), void *ctx)
+{
+    static const struct sim_model none;
+    struct job *job = sim_alloc(1, sizeof *job);
+    job->options = *o;
+    job->model = *model;
+    job->kept = kept;
+    int status = sim_view_plan(&job->view, o, model), err = ZS_OK;
+    if (status == SIM_OK)
+        status = prepare(job);
+    const int effects = sim_effects_any(&o->effects);
+    if (status == SIM_OK && effects && (err = sim_effect_config(&job->effect, &job->config)) != ZS_OK)
+        status = refuse_frame(job, err);
+    if (status == SIM_OK) {
+        const struct sim_drawn_scene drawn = {
+            .scene = job->drawn,
+            .camera = effects ? &job->effect.camera : &job->scene->camera,
+            .mirrored = effects ? sim_effect_mirrored(&job->effect) : NULL,
+            .config = job->config,
+            .samples = effects ? job->effect.samples : 1,
+            .data_bytes = job->scene->data_bytes
+        };
+        status = use(ctx, &drawn);
     }
     job->model = none; /* the caller's */
     job_free(job);

@@ -29,6 +29,22 @@ int sim_render_all(struct sim_rendered *out, struct sim_kept_scene *kept, const 
                    const struct sim_options *o);
 void sim_render_free(struct sim_rendered *r);
 
+/* What a frame is drawn from. With effects the configuration is the one that the renderer gets: of four samples a pixel
+ * twice the size each way, with their method and varyings. */
+struct sim_drawn_scene {
+    const struct zs_scene *scene;
+    const struct zs_camera *camera;
+    const struct zs_scene *mirrored; /* drawn by a second pass, as a mirror shows it; NULL: none */
+    struct zs_config config;
+    long samples;                    /* a pixel: 1 or 4 */
+    size_t data_bytes;               /* of the model, as firmware keeps it */
+};
+
+/* Call `use` with what sim_render_all would draw; all of it is borrowed until it returns. Return what `use` does, or
+ * why there is no scene, as sim_render_all. */
+int sim_render_scene(struct sim_kept_scene *kept, const struct sim_model *model, const struct sim_options *o,
+                     int (*use)(void *ctx, const struct sim_drawn_scene *drawn), void *ctx);
+
 /* Fill r->shown with what --out shows, if it is not there. */
 void sim_rendered_show(struct sim_rendered *r);
 

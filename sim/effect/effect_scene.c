@@ -133,6 +133,11 @@ struct sim_pools sim_effect_pools(const struct sim_effect_scene *s, const struct
     return all;
 }
 
+const struct zs_scene *sim_effect_mirrored(const struct sim_effect_scene *s)
+{
+    return s->ground != NULL && s->ground->mirror.ops != NULL ? &s->ground->seen : NULL;
+}
+
 /* ---- Frames ---------------------------------------------------------------------------------------------------- */
 
 static int draw(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
@@ -155,29 +160,35 @@ static int draw(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
     return zs_render_passes(r, pass, memory, 2, sink);
 }
 
+int sim_effect_config(struct sim_effect_scene *s, struct zs_config *c)
+{
+    if (s->hooks->hook[0].draw == zs_fog_draw) {
+        const int err = zs_fog_set(&s->hooks->fog, c, &s->camera);
+        if (err != ZS_OK)
+            return err;
+    }
+    if (c->varyings < s->varyings)
+        c->varyings = s->varyings;
+    c->method = s->method;
+    if (s->method != NULL) { /* least pools of zs_method_transparent */
+        c->max_tris = c->max_tris < 2 ? 2 : c->max_tris;
+        c->max_verts = c->max_verts < 6 ? 6 : c->max_verts;
+    }
+    if (s->samples > 1) {
+        c->width = (uint16_t)(2 * c->width);
+        c->height = (uint16_t)(2 * c->height);
+        c->strip_h = (uint16_t)(2 * c->strip_h);
+        s->camera.focal *= 2;
+    }
+    return ZS_OK;
+}
+
 int sim_effect_draw(const struct sim_effect_scene *scene, struct sim_frame *frame, const struct zs_config *config,
                     const char *what, const struct zs_sink *to)
 {
     struct sim_effect_scene s = *scene;
     struct zs_config c = *config;
     const struct sim_drawing drawing = { draw, &s, config->width, config->height, s.samples > 1 };
-    if (s.hooks->hook[0].draw == zs_fog_draw) {
-        const int err = zs_fog_set(&s.hooks->fog, &c, &s.camera);
-        if (err != ZS_OK)
-            return err;
-    }
-    if (c.varyings < s.varyings)
-        c.varyings = s.varyings;
-    c.method = s.method;
-    if (s.method != NULL) { /* least pools of zs_method_transparent */
-        c.max_tris = c.max_tris < 2 ? 2 : c.max_tris;
-        c.max_verts = c.max_verts < 6 ? 6 : c.max_verts;
-    }
-    if (s.samples > 1) {
-        c.width = (uint16_t)(2 * c.width);
-        c.height = (uint16_t)(2 * c.height);
-        c.strip_h = (uint16_t)(2 * c.strip_h);
-        s.camera.focal *= 2;
-    }
-    return sim_frame_render_by(frame, &drawing, &c, what, to);
+    const int err = sim_effect_config(&s, &c);
+    return err != ZS_OK ? err : sim_frame_render_by(frame, &drawing, &c, what, to);
 }

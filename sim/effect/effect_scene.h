@@ -37,6 +37,13 @@ void sim_effect_free(struct sim_effect_scene *scene);
 struct sim_pools sim_effect_pools(const struct sim_effect_scene *scene, const struct sim_model *model,
                                   const struct sim_scene *from, const struct sim_view *view);
 
+/* Make the configuration of a plain frame the one that it is drawn by, and its camera and hooks those of that frame.
+ * ZS_OK, or an error of zs_fog_set. */
+int sim_effect_config(struct sim_effect_scene *scene, struct zs_config *config);
+
+/* The scene that its mirror shows, in a second pass; NULL: it has none. */
+const struct zs_scene *sim_effect_mirrored(const struct sim_effect_scene *scene);
+
 /* Draw it; config is that of a plain frame. Return as sim_frame_render_to. */
 int sim_effect_draw(const struct sim_effect_scene *scene, struct sim_frame *frame, const struct zs_config *config,
                     const char *what, const struct zs_sink *to);

@@ -1,7 +1,8 @@
 /* One page out of page/: styles, scripts and the engine in one file. Each module becomes a function that gives what it
  * exports, in the order in which they need each other, so that nothing is imported when the page opens from a file.
  *
- * Usage: node sim/web/bundle.mjs ENGINE.WASM PAGE.HTML
+ * Usage: node sim/web/bundle.mjs ENGINE.WASM SHOW EMULATOR.JS PAGE.HTML
+ * SHOW.bin is the Pico's prebuilt show, SHOW.txt what nm -f sysv says of it.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,7 +12,7 @@ import { fileURLToPath } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
 
 const folder = resolve(dirname(fileURLToPath(import.meta.url)), 'page');
-const [wasm, to] = process.argv.slice(2);
+const [wasm, show, emulator, to] = process.argv.slice(2);
 const IMPORT = /^import \{([^}]*)\} from '([^']+)';$/gm;
 const EXPORT = /^export (?=(?:async )?(?:function|class|const) ?\*? ?(\w+))/gm;
 const numbers = new Map(),
@@ -43,10 +44,28 @@ const script = parts
     .join('\n')
     .replace(/<\/(script)/gi, '<\\/$1')
     .replace(/<!--/g, '<\\!--');
-const packed = deflateRawSync(readFileSync(wasm), { level: 9 }).toString('base64');
+
+/* Addresses of what the show holds, by name, those of functions with the bit of Thumb code; and its arena's bytes. */
+function symbolsOf(file) {
+    const symbols = {};
+    let arena = 0;
+    for (const line of readFileSync(file, 'utf8').trim().split('\n')) {
+        const [name, at, , kind, bytes] = line.split('|').map((word) => word.trim());
+        symbols[name] = parseInt(at, 16) | (kind === 'FUNC' ? 1 : 0);
+        if (name === 'show_model_arena') arena = parseInt(bytes, 16);
+    }
+    return { symbols, arena };
+}
+const head = Buffer.from(JSON.stringify(symbolsOf(`${show}.txt`))),
+    length = Buffer.alloc(4);
+length.writeUInt32LE(head.length);
+const pack = (bytes) => deflateRawSync(bytes, { level: 9 }).toString('base64');
+const packed = pack(readFileSync(wasm));
 const page = readFileSync(resolve(folder, 'index.html'), 'utf8')
     .replace('/*STYLE*/', () => readFileSync(resolve(folder, 'style.css'), 'utf8'))
     .replace('/*WASM*/', () => packed)
+    .replace('/*SHOW*/', () => pack(Buffer.concat([length, head, readFileSync(`${show}.bin`)])))
+    .replace('/*EMULATOR*/', () => pack(readFileSync(emulator)))
     .replace('/*SCRIPT*/', () => `\n${script}`);
 writeFileSync(to, page);
 console.log(`built ${to}: ${page.length} bytes, ${packed.length} of them the engine`);

@@ -54,4 +54,9 @@ int web_model_load(struct sim_model *model, struct sim_options *o);
 int web_model_draw(struct sim_rendered *out, struct sim_kept_scene *scene, const struct sim_model *model,
                    const struct sim_options *o);
 
+/* Call `use` with what the next frame is drawn from, of the chosen model or the chosen scene. Return as
+ * sim_render_scene. */
+int web_scene_scene(int (*use)(void *ctx, const struct sim_drawn_scene *drawn), void *ctx);
+int web_model_scene(int (*use)(void *ctx, const struct sim_drawn_scene *drawn), void *ctx);
+
 #endif

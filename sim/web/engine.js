@@ -396,4 +396,43 @@ export class Engine {
         if (out === null) throw new EngineError(answer.error);
         return {[`${name}.c`] : out.c, [`${name}.h`] : out.h};
     }
+
+    /** What is drawn now as the Pico's prebuilt show takes it (firmware/app/show_model.h): its bytes, with addresses of
+     * flash from `base` on; `names` are words in them, by place, that become addresses of what the show holds.
+     * @param {{frames: number, arena: number, flash: number}} room  frames that go once round it; bytes of RAM and
+     *   flash that the show leaves
+     * @returns {Answer & {bytes?: Uint8Array, base?: number, frames?: number, rows?: number, tris?: number,
+     *   verts?: number, shrunk?: boolean, names?: [number, string, string][]}}  names: place, name, and the effect that
+     *   it is part of; shrunk: pools or strips are smaller than what takes the frame in one pass */
+    flash({frames, arena, flash}) {
+        let got = null;
+        const answer = this.#ask(() => {
+            const text = this.#c.flash(frames, arena, flash);
+            got = text !== 0 ? JSON.parse(this.#text(text)) : null;
+            return got === null ? 1 : 0;
+        });
+        return got === null ? answer : {...answer, ...got, bytes: this.#bytes(got.at, got.bytes).slice()};
+    }
+
+    /** A panel's module, powered on, for panelTakes. invert: its glass shows negatives until it is told to invert.
+     * @returns {Answer} */
+    panelBegins(name, invert) {
+        return this.#ask(() => this.#with(new TextEncoder().encode(name + '\0'),
+                                          (at) => this.#c.glass_begin(at, invert ? 1 : 0)));
+    }
+
+    /** Feed it with words of a wire: bits 0-7 a byte, bit 8 D/C; bit 9 alone: RESET went low; bit 11 alone: CS went
+     * high. Then what is seen on it.
+     * @param {Uint16Array} words
+     * @returns {Answer & {rgb: Uint8Array}} rgb: [height][width][3], a view that is good until the next call */
+    panelTakes(words) {
+        const bytes = new Uint8Array(words.buffer, words.byteOffset, words.byteLength);
+        this.#with(bytes, (at) => this.#c.glass_feed(at, words.length));
+        let at = 0;
+        const answer = this.#ask(() => {
+            at = this.#c.glass_picture();
+            return at === 0 ? 1 : 0;
+        });
+        return {...answer, rgb: at === 0 ? new Uint8Array(0) : new Uint8Array(this.#c.memory.buffer, at)};
+    }
 }

@@ -142,6 +142,13 @@ int web_model_draw(struct sim_rendered *out, struct sim_kept_scene *scene, const
     return status;
 }
 
+int web_model_scene(int (*use)(void *ctx, const struct sim_drawn_scene *drawn), void *ctx)
+{
+    struct sim_options turned = web.chosen;
+    const int status = turn(&turned, &web.model, &web.orbit);
+    return status == SIM_OK ? sim_render_scene(&web.kept, &web.model, &turned, use, ctx) : status;
+}
+
 /* End: the model that came is drawn from here on, unless it is refused. */
 WEB_EXPORT(model_end) int web_model_end(int up_z, int single)
 {

@@ -126,3 +126,13 @@ int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const str
         sim_render_free(out);
     return status;
 }
+
+int web_scene_scene(int (*use)(void *ctx, const struct sim_drawn_scene *drawn), void *ctx)
+{
+    static struct demo_frame at;
+    struct sim_drawn_scene drawn = { .scene = &at.scene, .camera = &at.camera, .samples = 1 };
+    web_scene_config(&drawn.config, web.scene, &web.chosen);
+    web.scene->pose(&at, web.time % web.scene->frames, drawn.config.width, drawn.config.height);
+    web_scene_orbit(&at, &web.orbit);
+    return use(ctx, &drawn);
+}

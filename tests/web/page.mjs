@@ -247,6 +247,92 @@ await test('web_files', async () => {
     must(/THING_RADIUS/.test(got) && /thing_instance/.test(got), got.slice(0, 80));
 });
 
+/* What a button hands out as a file. */
+async function saved(button) {
+    const got = await p.value(`new Promise((yes, no) => { const was = URL.createObjectURL;
+        URL.createObjectURL = (b) => { URL.createObjectURL = was; const r = new FileReader();
+            r.onload = () => yes(r.result.split(',')[1]); r.readAsDataURL(b); return was(b); };
+        const why = document.getElementById('pico-why');
+        new MutationObserver(() => why.textContent && no(new Error(why.textContent))).observe(why, { childList: true });
+        document.getElementById('${button}').click(); })`);
+    return Buffer.from(got, 'base64');
+}
+/* The sentence that a click on a button of the firmware ends with, '' where it does what it says. */
+async function refusedBy(button) {
+    const from = await p.value('Number(document.documentElement.dataset.pico || 0)');
+    await p.value(`document.getElementById('${button}').click()`);
+    await p.until(`Number(document.documentElement.dataset.pico) > ${from}`, 'an answer');
+    return p.value(text('pico-why'));
+}
+
+/* page.sh runs these in the emulator of the boards' tests, and holds the picture against zsim's. */
+await test('web_uf2', async () => {
+    const sizes = [];
+    const models = [
+        ['glass.obj', 'glass.mtl'],
+        ['ring.obj', 'ring.mtl', 'ring.png'],
+        ['held.obj', 'held.mtl'],
+    ];
+    for (const [name, ...others] of models) {
+        await take(p, name, ...others);
+        const file = await saved('get-uf2');
+        must(file.length % 512 === 0 && file.length > 50000, `${file.length} bytes`);
+        writeFileSync(join(folder, `${name}.uf2`), file);
+        sizes.push(`${name} ${file.length}`);
+    }
+    return sizes.join(', ');
+});
+
+await test('web_pico', async () => {
+    const root = 'document.documentElement.dataset',
+        cycles = [];
+    for (const names of [
+        ['glass.obj', 'glass.mtl'],
+        ['held.obj', 'held.mtl'],
+    ]) {
+        await take(p, ...names);
+        same(await refusedBy('pico-run'), '', 'why it does not run');
+        await p.until(`Number(${root}.picoFrame) >= 8`, 'eight frames on the emulated panel');
+        const [frame, differ, taken] = JSON.parse(
+            await p.value(`JSON.stringify([${root}.picoFrame, ${root}.picoDiffer, ${root}.picoCycles].map(Number))`),
+        );
+        same(differ, 0, `pixels of ${names[0]}, in the worst of ${frame} frames, that differ from the page's`);
+        const says = await p.value(text('pico-say'));
+        must(/Every pixel is the page.s/.test(says) && /first frame was estimated/.test(says), says);
+        same(await refusedBy('pico-run'), '', 'why it does not stop');
+        same(await p.value('document.getElementById("pico-run").getAttribute("aria-pressed")'), 'false', 'it runs');
+        cycles.push(taken);
+    }
+    const colors = await p.value(`(() => { const c = document.getElementById('pico-glass');
+        const { data } = c.getContext('2d').getImageData(0, 0, c.width, c.height);
+        return new Set(new Uint32Array(data.buffer)).size; })()`);
+    must(colors > 4, `a picture of ${colors} colours on the emulated panel`);
+    return `${cycles.join(', ')} cycles`;
+});
+
+await test('web_pico_refuses', async () => {
+    const why = async (setting, value) => {
+        await p.value(set(`set-${setting}`, value, 'change'));
+        await p.until(`document.getElementById('set-${setting}').value === '${value}'`);
+        const said = await refusedBy('get-uf2');
+        await p.value(set(`set-${setting}`, '', 'change'));
+        return said;
+    };
+    must(/fog and dithering are not in the prebuilt show/.test(await why('fog', 'linear:1:4:808080')), 'fog');
+    must(/four samples a pixel are not/.test(await why('samples', '4')), 'samples');
+    await p.value(set('set-shade', 'smooth', 'change'));
+    await p.value('document.getElementById("set-perPixel").click()');
+    const lit = await refusedBy('get-uf2');
+    must(/has no light at each pixel; make a project/.test(lit), lit);
+    await p.value('document.getElementById("set-perPixel").click()');
+    await p.value(set('set-shade', '', 'change'));
+    await p.value(set('panel', 'gc9a01:240x240', 'change'));
+    const panel = await refusedBy('get-uf2');
+    must(/drives an ST7789 of 240x240; choose that panel/.test(panel), panel);
+    await p.value(set('panel', 'st7789:240x240', 'change'));
+    same(await refusedBy('get-uf2'), '', 'the same panel again');
+});
+
 await test('web_bad_model', async () => {
     const before = await p.value(SUM);
     await take(p, 'bad.obj');

@@ -34,10 +34,13 @@ awk 'BEGIN {
     }
     print "f -1 -2 -3 -4 -5 -6 -7 -8 -9 -10 -11 -12 -13 -14 -15 -16"
 }' >"$work/held.obj"
+# One with transparency and with highlights
+{ echo 'mtllib glass.mtl'; grep -v mtllib "$work/held.obj"; } >"$work/glass.obj"
+printf 'newmtl clay\nKd 0.8 0.45 0.2\nKs 0.7 0.7 0.7\nNs 40\nnewmtl blue\nKd 0.1 0.3 0.7\nd 0.5\n' >"$work/glass.mtl"
 printf 'newmtl clay\nKd 0.8 0.45 0.2\nnewmtl blue\nKd 0.1 0.3 0.7\n' >"$work/held.mtl"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# a face that is not there\nf 1 2 9\n' >"$work/bad.obj"
 node tests/web/models.mjs "$work" || bad web_models "they could not be made"
-for model in held.obj ring.obj ring.stl ring.ply ring.glb mirrored.glb sparse.glb; do
+for model in glass.obj held.obj ring.obj ring.stl ring.ply ring.glb mirrored.glb sparse.glb; do
     "$build/zsim" render "$work/$model" --panel st7789:240x240 --out "$work/$model.png" 2>"$work/zsim.log" ||
         bad "web_zsim_$model" "zsim render: $(head -c 300 "$work/zsim.log")"
 done
@@ -69,4 +72,22 @@ for model in "$broken"/*.obj "$broken"/*.stl "$broken"/*.ply; do
 done
 page=$(cd "$build/web" && pwd)/index.html
 node tests/web/page.mjs "$page" "$(cd "$work" && pwd)" || failed=1
+
+# The .uf2 of a model: what the emulator of the boards' tests shows on its panel is what zsim draws
+sh tests/boards/pico.sh "$build" set-up
+for model in glass.obj held.obj ring.obj; do
+    stem=$work/$model.show
+    node tests/web/uf2.mjs "$work/$model.uf2" "$stem.bin" >"$stem.log" 2>&1 &&
+        cp "$build/fw/pico-model/show_model.elf" "$stem.elf" &&
+        node "$build/pico/run.mjs" "$stem" --frames 3 --stream "$stem.stream" >"$stem.txt" 2>&1 &&
+        ! grep '^problem' "$stem.txt" >"$stem.log" &&
+        "$build/zsim" panel --panel st7789:240x240 --invert --decode "$stem.stream" --out "$stem.%d.png" \
+            >"$stem.log" 2>&1 &&
+        node tests/web/same.mjs "$stem.0.png" "$work/$model.png" >"$stem.log" 2>&1
+    if [ $? -eq 0 ]; then
+        ok "web_uf2_$model: $(sed -n 's/^draw_cycles //p' "$stem.txt") cycles a frame"
+    else
+        bad "web_uf2_$model" "$(cat "$stem.log" "$stem.txt" 2>/dev/null | grep -v '^text' | head -c 300 | tr '\n' '|')"
+    fi
+done
 exit $failed

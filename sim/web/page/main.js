@@ -10,9 +10,10 @@ import { buildCards } from './learn.js';
 import { readLink, writeLink } from './link.js';
 import { readModel } from './models.js';
 import { PANELS } from './panels.js';
+import { Firmware } from './pico.js';
 import { HOME, Stage } from './stage.js';
 import { Tradeoff } from './tradeoff.js';
-import { wasmBytes } from './wasm.js';
+import { packed } from './wasm.js';
 
 /* Options that have a place of their own on the page, or are none for a page */
 const PLACED = new Set([
@@ -110,12 +111,16 @@ function frame(now) {
     want();
 }
 
+/* Set the engine's camera. */
+function orbit(v = app.stage.view) {
+    app.engine.orbit((v.yaw - HOME.yaw) * RADIANS, (v.pitch - HOME.pitch) * RADIANS, v.distance);
+}
+
 /* Draw a frame; 1: there is a new picture. */
 function draw() {
-    const { engine, stage } = app,
-        v = stage.view,
+    const { engine } = app,
         begun = performance.now();
-    engine.orbit((v.yaw - HOME.yaw) * RADIANS, (v.pitch - HOME.pitch) * RADIANS, v.distance);
+    orbit();
     engine.setTime(app.time);
     const got = engine.render();
     const took = performance.now() - begun;
@@ -224,6 +229,7 @@ function configure(changes, by) {
         return false;
     }
     app.controls.refuse('', '');
+    app.firmware?.stop();
     say('');
     app.modelError = undefined;
     for (const o of app.engine.options()) {
@@ -277,6 +283,7 @@ function chooseScene(name) {
         return;
     }
     mean = 0;
+    app.firmware?.stop();
     app.scene = name;
     app.model = null;
     app.time = 0;
@@ -301,6 +308,7 @@ async function takeFiles(files) {
             answer = app.engine.setModel(model);
         if (!answer.ok) throw new Error(answer.error);
         mean = 0;
+        app.firmware.stop();
         app.model = model;
         app.scene = '';
         app.modelError = undefined;
@@ -371,8 +379,8 @@ function takeLink(link) {
     return typed;
 }
 
-function download(name, text) {
-    const a = make('a', { href: URL.createObjectURL(new Blob([text], { type: 'text/plain' })), download: name });
+function download(name, content, type = 'text/plain') {
+    const a = make('a', { href: URL.createObjectURL(new Blob([content], { type })), download: name });
     a.click();
     setTimeout(() => URL.revokeObjectURL(a.href), 1000);
 }
@@ -490,7 +498,7 @@ function listen() {
 }
 
 async function start() {
-    app.engine = await createEngine(await wasmBytes());
+    app.engine = await createEngine(await packed('wasm'));
     app.controls = new Controls((name, value) => {
         if (name === 'width' || name === 'height') {
             if (configure({ [name]: value }, name)) {
@@ -526,6 +534,15 @@ async function start() {
     app.tradeoff = new Tradeoff(
         () => ({ engine: app.engine, part: app.part, what: app.scene || (app.model && app.model.name) || '' }),
         draw,
+    );
+    app.firmware = new Firmware(
+        () => ({
+            engine: app.engine,
+            view: app.stage.view,
+            orbit,
+            estimate: app.parts.find((p) => p.name === 'rp2040')?.drawMs ?? null,
+        }),
+        (name, content) => download(name, content, 'application/octet-stream'),
     );
     buildCards(id('cards'));
     document.documentElement.dataset.ready = '1';
