@@ -74,7 +74,7 @@ page=$(cd "$build/web" && pwd)/index.html
 node tests/web/page.mjs "$page" "$(cd "$work" && pwd)" || failed=1
 
 # The .uf2 of a model: what the emulator of the boards' tests shows on its panel is what zsim draws
-sh tests/boards/pico.sh "$build" set-up
+[ -f "$build/pico/run.mjs" ] || sh tests/boards/pico.sh "$build" set-up
 for model in glass.obj held.obj ring.obj; do
     stem=$work/$model.show
     node tests/web/uf2.mjs "$work/$model.uf2" "$stem.bin" >"$stem.log" 2>&1 &&
