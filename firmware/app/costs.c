@@ -9,6 +9,7 @@
 #include "number.h"
 #include "probes.h"
 #include "report.h"
+#include "zs_method.h" /* probes draw by all methods */
 
 #ifndef COSTS_FEW
 #define COSTS_FEW 0

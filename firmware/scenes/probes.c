@@ -36,7 +36,8 @@ enum flag {
     CLAMP = 1024,  /* textures end at their borders */
     DENSE = 2048,  /* 12 texels to a px: too many in a triangle for 15 bits */
     SPARSE = 4096, /* triangles in every other cell: vertices are shared by fewer */
-    SCREEN = 8192  /* a wall before the others that fills the picture: instances are hidden */
+    SCREEN = 8192, /* a wall before the others that fills the picture: instances are hidden */
+    CROSS = 16384  /* layers at the same distance, every other one turned upside down: tilted ones intersect */
 };
 
 /* What to draw. Sizes in px; depths in units of which near has 4096. */
@@ -49,6 +50,7 @@ struct plan {
     uint16_t flags, width, height, strip;
     uint8_t bend;           /* 0: light and colours change little over a triangle; 1: much */
     uint16_t tall;          /* 64ths of a cell's width that it is high, 0: 64 */
+    uint8_t method;         /* of methods[]; 0: the depth buffer */
 };
 
 static int16_t pos[PROBE_VERTS][3];
@@ -71,6 +73,16 @@ static const struct zs_shader *const shaders[SHADES] = {
     &zs_shade_texture_smooth
 };
 static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
+static const struct {
+    const char *name;
+    const struct zs_method *method;
+    const struct zs_depth *depth; /* NULL: the plan's */
+} methods[] = {
+#define ROW(name_, depth_, ...) { "_" #name_, &zs_method_##name_, depth_ },
+    { "", 0, 0 },
+    ZS_METHOD_EACH(ROW)
+#undef ROW
+};
 
 static uint32_t dice;
 static uint32_t roll(uint32_t n) /* 0 .. n - 1, n < 2^16 */
@@ -225,8 +237,11 @@ static void instances(struct demo_frame *f, const struct plan *p)
         stage_put(f, &wall, &plain, 0, 0, 0, ZS_Q16_ONE * 4u / 5u);
     }
     for (uint32_t k = 0; k < p->layers; k++) {
-        const uint32_t away = p->order > 0 ? k : p->layers - 1u - k;
-        stage_put(f, &mesh, &material, 0, 0, 0, ZS_Q16_ONE + ZS_Q16_ONE / 16u * away);
+        const uint32_t away = p->flags & CROSS ? 0u : p->order > 0 ? k : p->layers - 1u - k;
+        struct zs_pose *pose = stage_put(f, &mesh, &material, 0, 0, 0, ZS_Q16_ONE + ZS_Q16_ONE / 16u * away);
+        if (p->flags & CROSS && k & 1u)
+            for (int i = 0; i < 6; i++)
+                pose->rot[i] = -pose->rot[i];
         f->instance[f->scene.n_instances - 1u].depth_state = p->flags & STATE ? &state : 0;
         if (p->flags & BEHIND_US)
             stage_put(f, &mesh, &material, 0, 0, 200000, ZS_Q16_ONE);
@@ -236,6 +251,41 @@ static void instances(struct demo_frame *f, const struct plan *p)
 /* ---- The table ---------------------------------------------------------------------------------- */
 
 static const struct plan base = { RAW, 8, 6, 1, 1, 0, 80, 11000, 12000, 0, W, H, 24, 0 };
+
+/* Other methods than the depth buffer: each draws the same plans. */
+static int method_plan(struct plan *p, uint32_t i)
+{
+    static const struct plan some[] = {
+        { RAW, 24, 20, 1, 1, 0, 34, 11000, 12000, 0, W, H, 24, 0 },
+        { RAW, 16, 12, 3, 1, 0, 70, 11000, 12000, 0, W, H, 24, 0 },
+        { RAW, 16, 12, 3, -1, 0, 70, 11000, 11200, 0, W, H, 24, 0 },
+        { RAW, 8, 6, 3, -1, 0, 160, 11000, 12000, 0, W, H, 24, 0 },
+        { RAW, 4, 3, 3, 1, 0, 420, 11000, 12000, 0, W, H, 12, 0 },
+        { RAW, 1, 1, 3, -1, 0, 1900, 11000, 12000, 0, W, H, 24, 0 },
+        { RAW, 1, 1, 3, -1, 0, 1900, 11000, 12000, 0, W, H, 6, 0 },
+        { RAW, 16, 12, 1, 1, 0, 100, 4300, 30000, 0, W, H, 24, 0 },
+        { RAW, 2, 2, 2, 1, 0, 900, 8000, 16000, CROSS, W, H, 24, 0 },
+        { RAW, 8, 6, 2, 1, 0, 160, 9000, 14000, CROSS, W, H, 24, 0 },
+        { RAW, 1, 1, 2, 1, 0, 1600, 9000, 14000, CROSS, W, H, 16, 0 },
+        { RAW, 4, 4, 2, 1, 0, 300, 6000, 20000, CROSS, W, H, 48, 0 },
+        { RAW, 24, 3, 1, 1, 0, 40, 11000, 12000, 0, W, H, 24, 0, 640 },
+        { RAW, 24, 20, 1, 1, 0, 100, 11000, 11300, SMALL_POOL, W, H, 24, 0 },
+        { FLAT, 16, 12, 2, 1, 0, 70, 11000, 12000, 0, W, H, 24, 0 },
+        { SMOOTH, 8, 6, 2, -1, 0, 160, 11000, 12000, 0, W, H, 24, 0 },
+        { SMOOTH, 2, 2, 2, 1, 0, 900, 7000, 14000, 0, W, H, 24, 1 },
+        { SMOOTH, 4, 4, 2, 1, 0, 300, 9000, 14000, CROSS, W, H, 24, 1 },
+        { TEX_565, 8, 6, 2, 1, 0, 160, 11000, 12000, 0, W, H, 24, 0 },
+        { TEX_565, 2, 2, 2, -1, 0, 900, 7000, 14000, 0, W, H, 24, 0 },
+        { TEX_SMOOTH_PAL, 4, 3, 2, 1, 0, 300, 9000, 13000, CROSS, W, H, 24, 0 },
+        { RAW, 24, 20, 1, 1, 0, 12, 11000, 12000, SPARSE, W, H, 48, 0 },
+    };
+    const uint32_t n = LENGTH(some);
+    if (i >= n * (LENGTH(methods) - 1u))
+        return 0;
+    *p = some[i % n];
+    p->method = (uint8_t)(1u + i / n);
+    return 1;
+}
 
 /* Plans in order: each family takes its share of i. Return 0: i lies beyond. */
 static int plan_of(struct plan *p, uint32_t i)
@@ -481,10 +531,12 @@ static int plan_of(struct plan *p, uint32_t i)
         return 1;
     }
     i -= n;
-    if (i >= LENGTH(single))
-        return 0;
-    *p = single[i];
-    return 1;
+    if (i < LENGTH(single)) {
+        *p = single[i];
+        return 1;
+    }
+    i -= (uint32_t)LENGTH(single);
+    return method_plan(p, i);
 }
 
 /* ---- Probes ------------------------------------------------------------------------------------- */
@@ -514,8 +566,10 @@ static void name_make(char *to, const struct plan *p)
 {
     static const char *const depth_name[] = { "", "_recip", "_linear" };
     static const char *const flag_name[] = { "_away", "_bare", "_near", "_state", "_fine", "_beside", "_behind",
-                                             "_pools", "_ortho", "_wall", "_clamp", "_dense", "_sparse", "_screen" };
+                                             "_pools", "_ortho", "_wall", "_clamp", "_dense", "_sparse", "_screen",
+                                             "_cross" };
     uint32_t at = put_text(to, 0, shade_name[p->shade]);
+    at = put_text(to, at, methods[p->method].name);
     at = put_text(to, at, depth_name[p->depth]);
     for (uint32_t k = 0; k < LENGTH(flag_name); k++)
         if (p->flags >> k & 1u)
@@ -578,7 +632,10 @@ int probe_make(struct probe *p, uint32_t i)
     c->buffers = 1;
     c->subpixel_bits = 8;
     c->depth_bits = 16;
-    c->depth = depths[plan.depth];
+    c->depth = methods[plan.method].depth ? methods[plan.method].depth : depths[plan.depth];
+    c->method = methods[plan.method].method;
+    if (c->method == &zs_method_raycast && i & 1u) /* none over, for planes that are kept */
+        c->max_verts = (uint16_t)(plan.layers * mesh.n_verts);
     c->fast = fast;
     return 1;
 }

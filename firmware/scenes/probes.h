@@ -7,6 +7,7 @@
 #define PROBES_H
 
 #include "scenes.h"
+#include "zs_method.h"
 
 #ifdef __cplusplus
 extern "C" {

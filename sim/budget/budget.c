@@ -206,21 +206,11 @@ static void print_wire(const struct budget_request *rq, const struct budget *b)
            (double)rq->o.spi_hz / 1e6);
 }
 
-/* Of a method: what was measured. Stages are those of the depth buffer and do not say what it takes. */
-static void print_measured(const struct budget *b)
+/* Numbers alone do not say what a method sorts or compares. */
+static void print_no_time(const struct budget *b)
 {
-    int known = 0;
-    printf("\nDrawing a frame by %s\n", b->method->name);
-    for (int c = 0; c < SIM_CORES; c++) {
-        const double n = budget_measured(b, (enum sim_core)c);
-        if (n > 0.0)
-            printf("%s %s %.2f M", known++ ? "," : "  measured, instructions, cycles on the RP2040:", sim_core_names[c],
-                   n / 1e6);
-    }
-    printf(known ? "\n  in strips of 24 rows, one buffer (make methods).\n"
-                 : "  not known: it is measured for frame 0 of some scenes in their own size (make methods)\n");
-    printf("  %u triangles sorted, %u pairs compared, %u splits, %u rays in these strips\n", b->counted.stats.sorted,
-           b->counted.stats.pairs, b->counted.stats.splits, b->counted.stats.rays);
+    printf("\nDrawing a frame by %s\n  not estimated from numbers alone; --scene or a model is drawn and counted\n",
+           b->method->name);
 }
 
 /* While the slowest strip is drawn, the wire has sent the one before it and waits. */
@@ -240,12 +230,13 @@ static void print_worst(const struct budget_request *rq, const struct budget *b)
 
 static void print_drawing(const struct budget_request *rq, const struct budget *b)
 {
-    if (b->method->method) {
-        print_measured(b);
+    const int method = b->method->method != NULL;
+    if (!budget_has_time(b)) {
+        print_no_time(b);
         return;
     }
-    printf("\nDrawing a frame, estimated%s: instructions, cycles on the RP2040\n ", b->guessed ? " from numbers alone"
-           : "");
+    printf("\nDrawing a frame%s%s, estimated%s: instructions, cycles on the RP2040\n ", method ? " by " : "",
+           method ? b->method->name : "", b->guessed ? " from numbers alone" : "");
     for (int c = 0; c < SIM_CORES; c++)
         printf(" %s %.2f M%s", sim_core_names[c], sim_costs_sum((enum sim_core)c, &b->counted) / 1e6, c + 1 < SIM_CORES
                ? "," : "\n ");
@@ -266,14 +257,18 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
             comma = ",";
         }
     printf("\n");
+    if (method)
+        printf("  %u triangles sorted, %u pairs compared, %u splits, %u rays\n", b->counted.stats.sorted,
+               b->counted.stats.pairs, b->counted.stats.splits, b->counted.stats.rays);
     if (b->guessed)
         printf(
             "  Numbers alone may be off by a third. A scene that is drawn and counted (--scene, a model) is at most\n"
             "  %.0f %% off on this core, of the demo and bench scenes, none of which is in the fit.\n",
             ceil(sim_cost_error(to.core)));
     else
-        printf("  Of the demo and bench scenes, none of which is in the fit, none is more than %.0f %% off on this "
-               "core.\n", ceil(sim_cost_error(to.core)));
+        printf("  Of %s, none of which is in the fit, none is more than %.0f %% off on %s.\n",
+               method ? "four scenes by five methods" : "the demo and bench scenes", ceil(budget_error(b, to.core)),
+               method ? "M0, M3 and RP2040" : "this core");
     print_worst(rq, b);
 }
 
@@ -389,10 +384,9 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
     if (b->has_wire)
         printf("wire_bytes,%.0f,bytes\nwire_windows,%.0f,windows\n", b->wire.bytes, b->wire.windows);
     for (int c = 0; c < SIM_CORES; c++) {
-        const double took = b->method->method ? budget_measured(b, (enum sim_core)c)
-                                              : sim_costs_sum((enum sim_core)c, &b->counted);
-        if (!b->method->method || took > 0.0)
-            printf("draw_%s,%.0f,%s\n", sim_core_names[c], took, c == SIM_CORE_RP2040 ? "cycles" : "instructions");
+        if (budget_has_time(b))
+            printf("draw_%s,%.0f,%s\n", sim_core_names[c], sim_costs_sum((enum sim_core)c, &b->counted),
+                   c == SIM_CORE_RP2040 ? "cycles" : "instructions");
     }
 }
 

@@ -87,8 +87,7 @@ struct budget {
     int has_wire; /* flag: there is a panel */
     int states;   /* flag: some instance has one */
     int guessed;  /* flag: counted is from numbers, not from a frame */
-    const char *scene;               /* the demo scene, frame 0 of its own size; NULL: another picture */
-    const struct sim_method *method; /* stages are not counted of others than the depth buffer */
+    const struct sim_method *method; /* how hidden surfaces are removed */
 };
 
 enum budget_cpu budget_cpu_of(enum sim_core core);
@@ -113,8 +112,10 @@ int budget_model(struct budget *b, const struct budget_request *rq, const struct
 /* The scene of a request: config (its pools where none were asked for), counts, data. SIM_OK; SIM_REFUSED. */
 int budget_scene(struct budget *b, const struct budget_request *rq);
 
-/* Instructions (RP2040: cycles) of a scene by a method, as make methods-record measured it; 0: it has not. */
-double budget_measured(const struct budget *b, enum sim_core core);
+/* Is there an estimate of time? Not of numbers alone by a method: what it sorts or compares is then not known. */
+int budget_has_time(const struct budget *b);
+/* The most that it is off by, percent of what the frames took that it was held against. */
+double budget_error(const struct budget *b, enum sim_core core);
 /* Cycles of a frame's drawing on a core. NAN: not known. */
 double budget_cycles(const struct budget_request *rq, const struct budget *b, enum sim_core core);
 /* Cycles of an instruction there: 1 where cycles were counted. */

@@ -127,16 +127,7 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
                                                  : next_size(c->max_verts));
         sim_method_apply(c, &sim_methods[rq->o.method]);
     }
-    if (!err && c->method) {
-        struct sim_frame frame;
-        err = sim_frame_render(&frame, scene, camera, c, NULL);
-        if (!err) {
-            b->counted.stats = frame.stats;
-            sim_frame_free(&frame);
-        }
-    } else if (!err) {
-        err = sim_costs_count(&b->counted, scene, camera, c);
-    }
+    err = err ? err : sim_costs_count(&b->counted, scene, camera, c);
     if (err)
         why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_error_string(err);
     b->n_instances = scene->n_instances;
@@ -187,8 +178,6 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
     struct demo_frame *f = sim_alloc(1, sizeof *f);
     set_config(b, rq, w, h, (uint8_t)d->varyings, d->depth);
     d->pose(f, (uint32_t)rq->frame, w, h);
-    const int measured = rq->frame == 0 && w == d->width && h == d->height && !sim_demo_is_own(d);
-    b->scene = measured ? d->name : NULL;
     const int status = count_scene(b, rq, d->name, &f->scene, &f->camera);
     free(f);
     return status;

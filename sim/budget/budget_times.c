@@ -1,12 +1,10 @@
-/* Times of a frame, from costs or from what was measured.
+/* Times of a frame, from costs.
  *
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
-#include <string.h>
 
 #include "budget.h"
-#include "record_methods.h"
 
 double budget_cpi(const struct budget_request *rq, enum sim_core core)
 {
@@ -16,22 +14,21 @@ double budget_cpi(const struct budget_request *rq, enum sim_core core)
     return core == SIM_CORE_RP2040 || core == SIM_CORE_M0 ? 1.0 : rq->has_cpi ? rq->cpi : assumed[core];
 }
 
-double budget_measured(const struct budget *b, enum sim_core core)
+double budget_error(const struct budget *b, enum sim_core core)
 {
-    for (size_t i = 0; b->scene && i < sizeof record_methods / sizeof record_methods[0]; i++)
-        if (strcmp(record_methods[i].core, sim_core_names[core]) == 0 &&
-            strcmp(record_methods[i].method, b->method->name) == 0 && strcmp(record_methods[i].scene, b->scene) == 0)
-            return record_methods[i].instructions;
-    return 0.0;
+    return b->method->method ? sim_cost_method_error() : sim_cost_error(core);
+}
+
+int budget_has_time(const struct budget *b)
+{
+    return !(b->guessed && b->method->method);
 }
 
 /* Cortex-M0 and M0+: what was counted on the RP2040, whose core it is. */
 double budget_cycles(const struct budget_request *rq, const struct budget *b, enum sim_core core)
 {
-    if (b->method->method) {
-        const double n = budget_measured(b, core == SIM_CORE_M0 ? SIM_CORE_RP2040 : core);
-        return n > 0.0 ? n * budget_cpi(rq, core) : (double)NAN;
-    }
+    if (!budget_has_time(b))
+        return (double)NAN;
     return sim_costs_sum(core == SIM_CORE_M0 ? SIM_CORE_RP2040 : core, &b->counted) * budget_cpi(rq, core);
 }
 

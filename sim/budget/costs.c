@@ -34,6 +34,11 @@ double sim_cost_error(enum sim_core core)
     return stage_error[core];
 }
 
+double sim_cost_method_error(void)
+{
+    return method_error;
+}
+
 double sim_costs_sum(enum sim_core core, const struct sim_counted *counted)
 {
     double sum = 0.0;

@@ -116,7 +116,32 @@
     X(divide, "run", "part of up to 16 texels, each divided")                                                   \
     X(divide_px, "run", "texel by a division of its own")                                                       \
     X(shine, "run", "call to light a part or a palette")                                                        \
-    X(shine_px, "run", "pixel or colour of a palette lit")
+    X(shine_px, "run", "pixel or colour of a palette lit")                                                      \
+    X(sorted, "method", "triangle of a strip sorted by depth")                                                  \
+    X(sorted_log, "method", "more, by the binary logarithm of how many there are")                              \
+    X(run_plain, "method", "run of pixels coloured without a depth test")                                       \
+    X(run_plain_px, "method", "pixel of one colour in such a run")                                              \
+    X(span_painter, "method", "painter: row with pixels")                                                       \
+    X(pair, "method", "pair of triangles whose depths overlap")                                                 \
+    X(pair_boxes, "method", "more where their boxes on the screen meet")                                        \
+    X(pair_row, "method", "row at which two triangles are compared")                                            \
+    X(setup_order, "method", "more for a triangle or a piece in a strip")                                       \
+    X(span_sorted, "method", "depth sort: row of a triangle")                                                   \
+    X(span_covered, "method", "coverage: row of a triangle")                                                    \
+    X(px_covered, "method", "coverage: pixel of it, drawn or not")                                              \
+    X(tile_triangle, "method", "hiz: triangle looked up in the tiles")                                          \
+    X(span_tiles, "method", "hiz: row of a triangle")                                                           \
+    X(tile, "method", "hiz: piece of a row compared with a tile")                                               \
+    X(px_tile_hidden, "method", "hiz: pixel that a tile hides")                                                 \
+    X(tile_px_untested, "method", "hiz: pixel drawn without a test")                                            \
+    X(ray, "method", "ray")                                                                                     \
+    X(ray_box, "method", "box that a ray is tested against")                                                    \
+    X(ray_tri, "method", "triangle in whose box on the screen a ray is")                                        \
+    X(ray_edges, "method", "more where the ray is tested against its edges")                                    \
+    X(ray_plane, "method", "plane of a triangle's keys found for a ray")                                        \
+    X(ray_curved, "method", "key found where a triangle's keys are not linear")                                 \
+    X(span_ray, "method", "row of a triangle, coloured where rays hit it")                                      \
+    X(px_ray, "method", "pixel of it looked at")
 
 #define SIM_COST_ENUM(name, stage, what) SIM_COST_##name,
 enum sim_cost { SIM_COSTS(SIM_COST_ENUM) SIM_COST_N };
@@ -147,6 +172,8 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
 double sim_cost_of(enum sim_core core, enum sim_cost cost);
 /* The most that the estimate is off by, percent of what frames of the demo and bench scenes take, as on record. */
 double sim_cost_error(enum sim_core core);
+/* The same of other methods than the depth buffer, over M0, M3 and RP2040. */
+double sim_cost_method_error(void);
 /* Of a frame. */
 double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
 
@@ -157,8 +184,9 @@ void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N]);
  * file, as of tests/records/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off.
  * */
 int sim_costs_error(const char *file, double bar);
-/* The same in numbers: the most on each core, and left alone where the file has no line of it. SIM_OK; SIM_REFUSED. */
-int sim_costs_worst(const char *file, double worst[SIM_CORES]);
+/* The same in numbers: the most on each core, and of other methods than the depth buffer the most on all; left alone
+ * where the file has no line of it. SIM_OK; SIM_REFUSED. */
+int sim_costs_worst(const char *file, double worst[SIM_CORES], double *of_methods);
 
 /* Print what is counted in frame 0 of a demo or bench scene, drawn as make bench draws it, and what that costs. SIM_OK,
  * or SIM_REFUSED: there is no such scene. */

@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,10 +13,15 @@
 #include "costs.h"
 #include "frame.h"
 #include "core/assemble.h"
+#include "core/job.h"
+#include "core/method.h"
 #include "core/fast.h"
 #include "core/xform.h"
 #include "fast/parts.h"
+#include "method/order.h"
+#include "method/raycast.h"
 #include "shade/texture.h"
+#include "zs_method.h"
 #include "zs_shader.h"
 #include "sim.h"
 
@@ -86,6 +92,12 @@ static struct {
     double before[SIM_COST_N]; /* counts when the strip in hand began */
     double slowest[2][SIM_CORES]; /* what the slowest strip takes of what is counted while it is drawn: of strips that
                                      begin with a walk over the scene, [1], and of the others */
+    struct zs_method method; /* ours, where the configuration has another than the depth buffer's ... */
+    const struct zs_method *method_of; /* ... and what it stands for; NULL: the depth buffer */
+    zs_piece_fn *method_span;          /* what on_method_span stands for */
+    const struct zs_tri *method_tri;   /* the triangle whose rows it was handed last, and its last row */
+    int32_t method_row;
+    uint32_t sorted;                   /* zs_stats.sorted when a list was made last */
     uint32_t walk;     /* number of the walk, and of ... */
     uint32_t instance; /* ... the instance in hand, UINT32_MAX: none */
 } now;
@@ -283,12 +295,15 @@ static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t 
     return now.of->vertex(view, z, rcp, lz);
 }
 
+static int on_planes(struct zs_job *job);
+
 static int on_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     now.r = (struct zs_renderer *)(void *)((char *)view - offsetof(struct zs_renderer, view));
     const int err = now.of->setup(view, camera, bits);
     now.linear = view->screen_linear;
-    view->screen_linear = 0; /* all triangles that are set up come by on_planes */
+    if (now.depth.planes == on_planes)
+        view->screen_linear = 0; /* all triangles that are set up come by on_planes */
     now.tiles = now.r->tiles != NULL;
     return err;
 }
@@ -317,8 +332,10 @@ static void count_setup(const struct shape *s)
     now.tested += (uint64_t)s->px;
     now.n[SIM_COST_setup]++;
     now.n[SIM_COST_setup_wide] += now.wide;
-    now.n[SIM_COST_plane_wide] += now.huge && s->tilted; /* its key */
-    now.n[SIM_COST_tilt] += s->tilted && !now.huge;
+    if (now.r->depth) {
+        now.n[SIM_COST_plane_wide] += now.huge && s->tilted; /* its key */
+        now.n[SIM_COST_tilt] += s->tilted && !now.huge;
+    }
     now.n[SIM_COST_row] += s->rows;
     now.n[now.wide ? SIM_COST_edge : SIM_COST_edge_tiny] += s->edges;
     now.n[SIM_COST_edge_div] += s->divided;
@@ -420,13 +437,145 @@ static void on_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, i
     now.piece(job, row, i0, i1, sum, gx);
 }
 
+/* ---- Other methods than the depth buffer -------------------------------------------------------- */
+
+static int is_method(const struct zs_method *method)
+{
+    return now.method_of == method;
+}
+
+static int is_order(void)
+{
+    return is_method(&zs_method_depthsort) || is_method(&zs_method_coverage);
+}
+
+static int is_hiz(void)
+{
+    return is_method(&zs_method_hiz) || is_method(&zs_method_hiz_corner) || is_method(&zs_method_hiz_vertex);
+}
+
+/* A row of a triangle, or a piece of one, before the method has chosen pixels of it. */
+static void on_method_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                           uint32_t gx)
+{
+    if (!is_hiz() && (job->tri != now.method_tri || row->y < now.method_row)) { /* hiz: by on_planes */
+        look(&now.shape, job);
+        look_plane(job);
+        count_setup(&now.shape);
+    }
+    now.method_tri = job->tri;
+    now.method_row = row->y;
+    if (is_method(&zs_method_painter))
+        now.n[SIM_COST_span_painter]++;
+    else if (is_hiz())
+        now.n[SIM_COST_span_tiles]++;
+    else if (is_method(&zs_method_raycast)) {
+        now.n[SIM_COST_span_ray]++;
+        now.n[SIM_COST_px_ray] += i1 - i0;
+    } else {
+        const int near_first = is_method(&zs_method_coverage);
+        now.n[near_first ? SIM_COST_span_covered : SIM_COST_span_sorted]++;
+        if (near_first)
+            now.n[SIM_COST_px_covered] += i1 - i0;
+    }
+    now.method_span(job, row, i0, i1, sum, gx);
+}
+
+/* The method says no to mappings by their address. */
+static int on_method_begin(struct zs_renderer *r)
+{
+    r->config.depth = now.of;
+    const int err = now.method_of->begin(r);
+    r->config.depth = &now.depth;
+    now.method_span = r->span;
+    r->span = on_method_span;
+    return err;
+}
+
+/* What the method's own state has counted since the last time. */
+static void count_state(struct zs_renderer *r)
+{
+    if (is_order()) {
+        struct zs_order *o = r->method_state;
+        now.n[SIM_COST_pair_boxes] += o->pair_boxes;
+        now.n[SIM_COST_pair_row] += o->pair_rows;
+        o->pair_boxes = o->pair_rows = 0;
+    } else if (is_method(&zs_method_raycast)) {
+        struct zs_rays *s = r->method_state;
+        now.n[SIM_COST_ray_box] += s->boxes;
+        now.n[SIM_COST_ray_tri] += s->boxed;
+        now.n[SIM_COST_ray_edges] += s->edges;
+        s->boxes = s->boxed = s->edges = 0;
+    }
+}
+
+static uint16_t on_method_list(struct zs_renderer *r)
+{
+    const uint16_t list = now.method_of->list(r);
+    if (r->method_state) /* not where a strip is left out */
+        count_state(r);
+    const double n = r->stats.sorted - now.sorted;
+    now.method_tri = NULL;
+    now.sorted = r->stats.sorted;
+    if (n > 1.0)
+        now.n[SIM_COST_sorted_log] += n * log2(n);
+    return list;
+}
+
+/* Of the depth mapping, for rays and for triangles that they have hit. */
+static int on_ray_planes(struct zs_job *job)
+{
+    now.n[SIM_COST_ray_plane]++;
+    return now.of->planes(job);
+}
+
+static void on_ray_row(struct zs_job *job, const struct zs_row *row)
+{
+    now.n[SIM_COST_ray_curved]++;
+    now.of->row(job, row);
+}
+
+static void copy_method(struct zs_config *config)
+{
+    now.method_of = config->method;
+    if (!config->method)
+        return;
+    now.method = *config->method;
+    now.method.begin = on_method_begin;
+    now.method.list = on_method_list;
+    config->method = &now.method;
+    if (is_hiz()) /* set-ups are found by on_planes */
+        return;
+    now.depth.planes = now.of->planes ? on_ray_planes : NULL;
+    if (now.of->row)
+        now.depth.row = on_ray_row;
+}
+
+/* What the statistics say that methods did so far. */
+static void count_method(void)
+{
+    const struct zs_stats *s = &now.r->stats;
+    double *n = now.n;
+    if (!now.method_of)
+        return;
+    n[SIM_COST_sorted] = s->sorted;
+    n[SIM_COST_pair] = s->pairs;
+    n[SIM_COST_setup_order] = is_order() ? s->tris_setup : 0;
+    n[SIM_COST_tile] = s->tiles_tested;
+    n[SIM_COST_tile_triangle] = is_hiz() ? s->tris_setup + s->tris_hidden : 0;
+    n[SIM_COST_px_tile_hidden] = s->pixels_hidden;
+    n[SIM_COST_tile_px_untested] = is_hiz() ? s->pixels_untested : 0;
+    n[SIM_COST_ray] = s->rays;
+}
+
 #define NO_OCTAVES INT32_MIN /* job->w64_scale, where a triangle's keys lie in one */
 
 static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct our_shader *s = shader_of(job->shader);
     const int untouched = job->split & ZS_SPLIT_TOUCH && !now.testing;
-    now.n[SIM_COST_run]++;
+    const int plain = now.method_of && !is_hiz();
+    now.n[plain ? SIM_COST_run_plain : SIM_COST_run]++;
     now.n[SIM_COST_run_untouched] += untouched;
     if (untouched)
         now.n[SIM_COST_px_untouched] += to - from;
@@ -435,7 +584,7 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
     if (job->depth_state)
         now.n[SIM_COST_won_runs] += to - from;
     if (s->kind == KIND_SOLID)
-        now.n[untouched ? SIM_COST_fill_px : SIM_COST_run_solid_px] += to - from;
+        now.n[plain ? SIM_COST_run_plain_px : untouched ? SIM_COST_fill_px : SIM_COST_run_solid_px] += to - from;
     if (s->kind == KIND_SMOOTH) {
         now.n[SIM_COST_run_smooth_px] += to - from;
         if (job->sub_log2 != ZS_AFFINE)
@@ -753,6 +902,7 @@ static int on_submit(void *ctx, const struct zs_strip *strip)
     if (now.untouched && now.r->untouched_left)
         now.n[SIM_COST_row_clear] += strip->h;
     now.untouched = 0;
+    count_method();
     weigh_strip(walked);
     for (uint32_t i = 0; i < strip->n_bytes; i++)
         now.checksum = (now.checksum ^ strip->px[i]) * 16777619u;
@@ -773,6 +923,8 @@ static void count_frame(const struct zs_config *config, const struct zs_stats *s
     n[SIM_COST_frame] = 1;
     n[SIM_COST_strip] = s->strips;
     n[SIM_COST_clear_px] = (double)config->width * config->height - s->pixels_untested;
+    if (now.of->span)
+        n[SIM_COST_clear_px] /= 2.0; /* the colour alone */
     n[SIM_COST_instance] = walked * walks_of(now.binned[0].instances, now.binned[1].instances);
     n[SIM_COST_instance_culled] = walks * s->instances_culled;
     n[SIM_COST_vertex_out] =
@@ -844,6 +996,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
         copy(&instance[i], &things[i], config->fast);
     }
     copy_batch(config->fast);
+    copy_method(&with);
     const struct zs_fast **fast = list_of(config->fast, things, n);
     with.fast = fast;
     ours.instance = instance;

@@ -8,6 +8,7 @@
 
 #include "costs.h"
 #include "frame.h"
+#include "method_names.h"
 #include "scenes.h"
 #include "sim.h"
 #include "sizes.h"
@@ -16,6 +17,7 @@
 
 struct line {
     enum sim_core core;
+    const struct sim_method *method; /* of a line of methods.txt; NULL: of bench.txt */
     char scene[32];
     double taken, estimate;
 };
@@ -33,7 +35,7 @@ static uint16_t pool(uint32_t n)
     return (uint16_t)(n < ZS_POOL_MAX ? n : ZS_POOL_MAX);
 }
 
-/* Pools of a one-pass frame, as firmware/app/bench.c finds them. */
+/* Pools of a one-pass frame, as firmware/app/bench.c and methods.c find them. */
 static int one_pass(struct zs_config *c, const struct demo_frame *f)
 {
     struct sim_frame frame;
@@ -76,6 +78,45 @@ static int count_bench(struct sim_counted *out, const struct demo *d)
         err = sim_costs_count(out, &f->scene, &f->camera, &c);
     free(f);
     return err ? sim_refuse(d->name, 0, "cannot be counted (%d)", err) : SIM_OK;
+}
+
+#define PICO_ARENA 180000u /* bytes, of tests/lab/methods.sh on the RP2040; others have enough */
+
+/* The largest pools up to these that an arena holds, as firmware/app/methods.c finds them. */
+static void method_pools(struct zs_config *c, const struct sim_method *m, uint32_t tris, uint32_t verts, uint32_t bytes)
+{
+    do {
+        c->max_tris = pool(tris);
+        c->max_verts = pool(verts);
+        sim_method_apply(c, m);
+        tris = tris * 7u / 8u;
+        verts = verts * 7u / 8u;
+    } while (zs_arena_bytes(c) > bytes && tris > 4u);
+}
+
+/* Frame 0 by a method, as firmware/app/methods.c draws it. */
+static int count_method(struct sim_counted *out, const struct demo *d, const struct sim_method *m, enum sim_core core)
+{
+    const uint32_t bytes = core == SIM_CORE_RP2040 ? PICO_ARENA : UINT32_MAX;
+    struct demo_frame *f = sim_alloc(1, sizeof *f);
+    struct zs_config c;
+    struct sim_frame frame;
+    sim_frame_config(&c, d->width, d->height, (uint8_t)d->varyings);
+    c.strip_h = 24;
+    c.buffers = 1;
+    c.depth = d->depth;
+    c.fast = d->fast;
+    d->pose(f, 0, d->width, d->height);
+    method_pools(&c, m, 10000, 30000, bytes);
+    int err = sim_frame_render(&frame, &f->scene, &f->camera, &c, NULL);
+    if (!err) {
+        const struct zs_stats s = frame.stats;
+        sim_frame_free(&frame);
+        method_pools(&c, m, m->records ? s.max_tris_used * 5 / 2 + 64 : s.max_tris_used, s.max_verts_used, bytes);
+        err = sim_costs_count(out, &f->scene, &f->camera, &c);
+    }
+    free(f);
+    return err ? sim_refuse(d->name, 0, "cannot be counted by %s (%d)", m->name, err) : SIM_OK;
 }
 
 /* The mean of frames 26 and 39 as the Pico's image draws them, which tests/boards/pico.sh measures. */
@@ -153,51 +194,80 @@ static int core_named(const char *name)
     return -1;
 }
 
+static const struct sim_method *method_named(const char *name)
+{
+    for (size_t k = 0; k < SIM_METHODS; k++)
+        if (strcmp(sim_methods[k].name, name) == 0)
+            return &sim_methods[k];
+    return NULL;
+}
+
 static int read_lines(struct line *lines, size_t *n, const char *file)
 {
-    char text[256], core[16], scene[32];
+    char text[256], core[16], method[32], scene[32];
     double taken;
     FILE *f = fopen(file, "r");
     if (!f)
         return sim_refuse(file, 0,
                           "cannot be read; give tests/records/bench.txt, or lines of core, scene and number");
     *n = 0;
-    while (fgets(text, sizeof text, f))
-        if (text[0] != '#' && sscanf(text, "%15s %31s %lf", core, scene, &taken) == 3 && core_named(core) >= 0 &&
-            *n < LINES_MAX) {
-            struct line *l = &lines[(*n)++];
-            l->core = (enum sim_core)core_named(core);
-            memcpy(l->scene, scene, sizeof scene);
-            l->taken = taken;
-        }
+    while (fgets(text, sizeof text, f)) {
+        const int by_method = sscanf(text, "%15s %31s %31s %lf", core, method, scene, &taken) == 4;
+        if (text[0] == '#' || (!by_method && sscanf(text, "%15s %31s %lf", core, scene, &taken) != 3) ||
+            core_named(core) < 0 || (by_method && !method_named(method)) || *n == LINES_MAX)
+            continue;
+        struct line *l = &lines[(*n)++];
+        l->core = (enum sim_core)core_named(core);
+        l->method = by_method ? method_named(method) : NULL;
+        memcpy(l->scene, scene, sizeof scene);
+        l->taken = taken;
+    }
     (void)fclose(f);
     return *n ? SIM_OK : sim_refuse(file, 0, "holds no line of core, scene and what its frame took");
 }
 
-static const struct line *find(const struct line *lines, size_t n, enum sim_core core, const char *scene)
+static const struct line *find(const struct line *lines, size_t n, enum sim_core core, const struct sim_method *method,
+                               const char *scene)
 {
     for (size_t i = 0; i < n; i++)
-        if (lines[i].core == core && strcmp(lines[i].scene, scene) == 0)
+        if (lines[i].core == core && lines[i].method == method && strcmp(lines[i].scene, scene) == 0)
             return &lines[i];
     return NULL;
 }
 
+/* A row of the table, where a line of the scene is known. */
+static void print_row(const struct line *lines, size_t n, const struct sim_method *method, const char *scene)
+{
+    int known = 0;
+    for (int c = 0; c < SIM_CORES; c++)
+        known |= find(lines, n, (enum sim_core)c, method, scene) != NULL;
+    if (!known && method)
+        return;
+    printf("%-16s", scene);
+    for (int c = 0; c < SIM_CORES; c++) {
+        const struct line *l = find(lines, n, (enum sim_core)c, method, scene);
+        if (l)
+            printf(" %+8.1f", 100.0 * (l->estimate / l->taken - 1.0));
+        else
+            printf(" %8s", "-");
+    }
+    printf("%s%s\n", method ? "  " : "", method ? method->name : "");
+}
+
 static void print_table(const struct line *lines, size_t n, double bar)
 {
+    int plain = 0;
+    for (size_t i = 0; i < n; i++)
+        plain |= !lines[i].method;
     printf("%-16s", "scene");
     for (int c = 0; c < SIM_CORES; c++)
         printf(" %8s", sim_core_names[c]);
     puts("  estimate against what the frame took, %");
     for (uint32_t i = 0; i < n_demos; i++) {
-        printf("%-16s", demos[i]->name);
-        for (int c = 0; c < SIM_CORES; c++) {
-            const struct line *l = find(lines, n, (enum sim_core)c, demos[i]->name);
-            if (l)
-                printf(" %+8.1f", 100.0 * (l->estimate / l->taken - 1.0));
-            else
-                printf(" %8s", "-");
-        }
-        puts("");
+        if (plain)
+            print_row(lines, n, NULL, demos[i]->name);
+        for (size_t k = 0; k < SIM_METHODS; k++)
+            print_row(lines, n, &sim_methods[k], demos[i]->name);
     }
     for (int c = 0; c < SIM_CORES; c++) {
         double square = 0.0, worst = 0.0;
@@ -228,7 +298,9 @@ static int estimate(struct line *lines, size_t *n, const char *file)
             status = sim_refuse(file, 0, "%s is no scene of this zsim", lines[i].scene);
             break;
         }
-        status = lines[i].core == SIM_CORE_RP2040 ? count_pico(&counted, d) : count_bench(&counted, d);
+        status = lines[i].method                    ? count_method(&counted, d, lines[i].method, lines[i].core)
+                 : lines[i].core == SIM_CORE_RP2040 ? count_pico(&counted, d)
+                                                    : count_bench(&counted, d);
         if (status == SIM_OK)
             lines[i].estimate = sim_costs_sum(lines[i].core, &counted);
     }
@@ -241,14 +313,21 @@ static double off_by(const struct line *l)
     return 100.0 * fabs(l->estimate / l->taken - 1.0);
 }
 
-int sim_costs_worst(const char *file, double worst[SIM_CORES])
+int sim_costs_worst(const char *file, double worst[SIM_CORES], double *of_methods)
 {
     struct line *lines = sim_alloc(LINES_MAX, sizeof *lines);
-    char seen[SIM_CORES] = { 0 };
+    char seen[SIM_CORES] = { 0 }, seen_method = 0;
     size_t n = 0;
     const int status = estimate(lines, &n, file);
     for (size_t i = 0; status == SIM_OK && i < n; i++) {
         const enum sim_core c = lines[i].core;
+        if (lines[i].method) {
+            if (lines[i].method->method) {
+                *of_methods = seen_method ? fmax(*of_methods, off_by(&lines[i])) : off_by(&lines[i]);
+                seen_method = 1;
+            }
+            continue;
+        }
         worst[c] = seen[c] ? fmax(worst[c], off_by(&lines[i])) : off_by(&lines[i]);
         seen[c] = 1;
     }

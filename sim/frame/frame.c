@@ -42,7 +42,7 @@ static int submit(void *ctx, const struct zs_strip *strip)
         return SIM_FRAME_BROKEN;
     const size_t n = (size_t)strip->w * strip->h;
     f->no_depth = strip->depth == NULL;
-    if (!f->no_keys)
+    if (!f->no_keys && !f->no_depth)
         memcpy(f->key + (size_t)strip->y * f->width, strip->depth, n * sizeof *f->key);
     to->strip = *strip;
     to->sum = sim_strip_sum(strip);

@@ -248,7 +248,7 @@ static struct residual residual_of(const double cost[N], const struct probes *p,
     return r;
 }
 
-static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES])
+static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES], double of_methods)
 {
     puts("/* Instructions of one of each, cycles on the RP2040 (sim/budget/costs.h says of what): "
          "fitted from the probes of\n"
@@ -273,7 +273,8 @@ static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES
            "static const double stage_error[SIM_CORES] = {");
     for (int c = 0; c < SIM_CORES; c++)
         printf("%s %.1f", c ? "," : "", error[c]);
-    puts(" };\n\n#endif");
+    printf(" };\n/* The same of other methods than the depth buffer, over M0, M3 and RP2040. */\n"
+           "static const double method_error = %.1f;\n\n#endif\n", of_methods);
 }
 
 /* ---- Command line
@@ -365,10 +366,11 @@ static int run(const struct request *rq)
     }
     for (int c = 0; c < SIM_CORES; c++)
         error[c] = sim_cost_error((enum sim_core)c);
+    double of_methods = sim_cost_method_error();
     if (status == SIM_OK && rq->header && rq->error)
-        status = sim_costs_worst(rq->error, error);
+        status = sim_costs_worst(rq->error, error, &of_methods);
     if (status == SIM_OK && rq->header)
-        print_header(cost, error);
+        print_header(cost, error, of_methods);
     else if (status == SIM_OK && !rq->has_drift && (any || !rq->error))
         print_costs(cost, have);
     for (int c = 0; status == SIM_OK && !rq->header && c < SIM_CORES; c++)

@@ -107,7 +107,7 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     put_number(f, "drawMs", t.draw_ms);
     put_number(f, "wireMs", wire);
     put_number(f, "fps", isnan(t.draw_ms) ? (double)NAN : t.fps);
-    put_number(f, "fpsError", sim_cost_error(p->core) / 100.0);
+    put_number(f, "fpsError", budget_error(b, p->core) / 100.0);
     (void)fprintf(f, ",\"limit\":\"%s\",\"ramFits\":%s,\"flashFits\":%s",
                   wire > t.draw_ms ? "wire" : "drawing", t.ram <= p->ram ? "true" : "false",
                   t.flash > p->flash ? "false" : "true");
@@ -115,7 +115,7 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
         (void)fprintf(f, ",\"why\":\"%s\"",
                       effects
                           ? "Effects have no estimate of time and flash yet."
-                          : "This method was measured for some scenes alone, in their own size.");
+                          : "Of numbers alone there is no estimate for this method.");
     (void)fputs("}", f);
 }
 

@@ -78,8 +78,7 @@ still: $(B)/.setup-test $(B)/gen/meshes.h
 methods: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B)
 methods-record: $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/lab/methods.sh $(B) record >$(B)/methods.txt && mv $(B)/methods.txt tests/records/methods.txt && \
-	    sh tests/lab/methods.sh $(B) header >$(B)/methods.h && mv $(B)/methods.h sim/budget/record_methods.h
+	@sh tests/lab/methods.sh $(B) record >$(B)/methods.txt && mv $(B)/methods.txt tests/records/methods.txt
 ## methods-worlds: every method against the depth buffer on 10,000 random worlds; methods-worlds-record: as the report
 methods-worlds methods-worlds-record: $(B)/.setup-test
 	+@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' $(B)/quick/test/test_methods

@@ -4,7 +4,6 @@
 #
 # Usage: tests/lab/methods.sh BUILD          the checks and a table
 #        tests/lab/methods.sh BUILD record   the record on standard output, with cycles on the emulated RP2040
-#        tests/lab/methods.sh BUILD header   sim/budget/record_methods.h from the record
 #        tests/lab/methods.sh BUILD pico     those cycles alone; pools there hold what 180,000 bytes hold
 #
 # SPDX-License-Identifier: MIT
@@ -18,25 +17,7 @@ pico() { # lines "RP2040 METHOD SCENE CYCLES"
         >"$out/pico.csv" || return 1
     tr -d '\r' <"$out/pico.csv" | awk -F, '$3 + 0 > 0 && !/failed/ { print "RP2040", $1, $2, $3 }'
 }
-if [ "${2:-}" = header ]; then
-    cat <<'END'
-/* Instructions of frame 0 of some scenes by each method, cycles on the RP2040, as tests/records/methods.txt has them
- * (make methods-record).
- *
- * SPDX-License-Identifier: MIT
- */
-#ifndef SIM_RECORD_METHODS_H
-#define SIM_RECORD_METHODS_H
-
-static const struct {
-    const char *core, *method, *scene;
-    double instructions;
-} record_methods[] = {
-END
-    awk '/^(M[0-9]|RP2040) / { printf "    { \"%s\", \"%s\", \"%s\", %d },\n", $1, $2, $3, $4 }' $record
-    printf '};\n\n#endif\n'
-    exit
-elif [ "${2:-}" = pico ]; then
+if [ "${2:-}" = pico ]; then
     pico
     exit
 fi

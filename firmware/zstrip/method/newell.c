@@ -101,6 +101,7 @@ static int make_way(struct zs_renderer *r, struct ordering *g, uint16_t *link, u
  * list has changed, or *fits is 0 and the rectangle has to be halved. */
 static int is_next(struct zs_renderer *r, struct ordering *g, int *fits)
 {
+    struct zs_order *o = r->method_state;
     uint16_t *link = &r->tri[g->list].next;
     for (uint32_t index = 1; *link != ZS_NIL; index++, link = &r->tri[*link].next) {
         const uint32_t far = zs_sort_farthest(r, *link);
@@ -114,10 +115,14 @@ static int is_next(struct zs_renderer *r, struct ordering *g, int *fits)
         if (!zs_order_in_box(r, *link, g->p.x0, g->p.x1, g->p.y0, g->p.y1))
             continue;
         zs_order_load(r, *link, &g->q);
+        if (ZS_STATS)
+            o->pair_boxes++;
         if (zs_piece_clear(&g->p, &g->q, &g->nearer))
             continue;
         zs_piece_lines(r, g->list, &g->p);
         zs_piece_lines(r, *link, &g->q);
+        if (ZS_STATS)
+            o->pair_rows += (uint32_t)(zs_min32(g->p.y1, g->q.y1) - zs_max32(g->p.y0, g->q.y0));
         const uint32_t order = zs_piece_meet(&g->p, &g->q, &g->nearer);
         if (!(order & ZS_PIECE_NEAR))
             continue;

@@ -271,6 +271,7 @@ void zs_order_strip(struct zs_renderer *r, struct zs_order *o, uint32_t spare)
     o->y0 = top;
     o->y1 = bottom;
     o->torn = o->partial = 0;
+    o->pair_boxes = o->pair_rows = 0;
     rectangle_begin(o);
     r->method_state = o;
     if (r->strip >= r->band_end)

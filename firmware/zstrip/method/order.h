@@ -31,6 +31,8 @@ struct zs_order {
     struct zs_layer best, limit; /* layers from `limit` on are drawn */
     uint32_t met;           /* triangles that cover it, so far */
     uint32_t kept;          /* 1: the pool's first triangle has been met already; it is the best */
+    uint32_t pair_boxes, pair_rows; /* counted if ZS_STATS is 1, and cleared by who reads them:
+                               pairs whose boxes meet, and rows at which two were compared */
     /* Spans: */
     const struct zs_tri *cuts_of; /* line[] are the half-planes of this piece */
     int32_t n_cuts;

@@ -205,12 +205,22 @@ static ZS_NOINLINE void stated(struct zs_job *job, struct zs_ray_seen *seen, uin
         seen->key = key;
 }
 
+static void count(const struct zs_renderer *r, uint32_t boxes, uint32_t boxed, uint32_t edges)
+{
+    struct zs_rays *s = r->method_state;
+    s->boxes += boxes;
+    s->boxed += boxed;
+    s->edges += edges;
+}
+
 /* A ray meets the triangle of box k, which holds the ray's sample. */
 static void meet(struct zs_job *job, const struct zs_rays *s, struct zs_ray_seen *seen, uint32_t k,
                  int32_t x, int32_t y)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_ray_box *b = &s->level[0][k];
+    if (ZS_STATS)
+        count(r, 0, 1, b->near <= seen->key + 1u);
     if (b->near > seen->key + 1u || !covers(r, &r->tri[b->tri], x, y))
         return;
     const uint32_t sum = sum_at(job, s, k, x, y);
@@ -248,6 +258,8 @@ static ZS_NOINLINE void gather(struct zs_job *job, const struct zs_rays *s, stru
     p->end = s->x_end;
     while (i < s->count[level]) {
         const struct zs_ray_box *b = &s->level[level][i];
+        if (ZS_STATS)
+            count(job->r, 1, 0, 0);
         if (y >= b->y0 && y < b->y1 && x < b->x1) {
             if (x < b->x0) {
                 p->end = zs_min32(p->end, b->x0);
