@@ -285,8 +285,10 @@ static int set_up(void)
     const struct zs_config config = { .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .strip_h = show.rows,
                                       .max_tris = show.tris, .max_verts = show.verts, .varyings = show.varyings,
                                       .buffers = SHOW_BUFFERS, .subpixel_bits = SHOW_SUBPIXEL, .depth_bits = 16,
-                                      .depth = show.demo->depth, .fast = show.demo->fast,
-#if SHOW_PIECE
+                                      .depth = SHOW_MAPPING, .fast = show.demo->fast,
+#ifdef SHOW_METHOD
+                                      .method = &SHOW_METHOD
+#elif SHOW_PIECE
                                       .method = ((const struct piece *)show.demo)->method
 #endif
     };

@@ -65,6 +65,17 @@
 #define SHOW_VERTS_MAX ZS_POOL_MAX
 #endif
 
+/* How hidden surfaces are removed: METHOD= of make firmware sets these. */
+#ifndef SHOW_MAPPING
+#define SHOW_MAPPING show.demo->depth
+#endif
+#ifndef SHOW_NO_KEYS
+#define SHOW_NO_KEYS 0 /* 1: the method keeps no depth keys */
+#endif
+#ifndef SHOW_RECORDS
+#define SHOW_RECORDS 0 /* 1: it keeps records of its own in the pool of triangles */
+#endif
+
 /* Cores that draw: 2 with CORES=2, on a board that has a second one. Strips and pools are there twice then. */
 #ifndef SHOW_CORES
 #define SHOW_CORES 1
@@ -85,9 +96,13 @@ struct show {
 extern const struct show show;
 
 #define SHOW_LEAST(a, b) ((a) < (b) ? (a) : (b))
+#define SHOW_ARENA_BYTES(rows, tris, verts, varyings) \
+    (ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, varyings, SHOW_BUFFERS) - \
+     (SHOW_NO_KEYS ? ZS_DEPTH_BYTES(SHOW_WIDTH, rows) : 0u))
 #define SHOW_SCRATCH(rows) (SHOW_PIXEL_BITS < 16 ? (SHOW_WIDTH + 7) / 8 * SHOW_PIXEL_BITS * (rows) : 4)
 #define SHOW(scene, rate, rows, tris, verts, varyings) \
-    SHOW_CUT(scene, rate, SHOW_LEAST(rows, SHOW_ROWS_MAX), SHOW_LEAST(tris, SHOW_TRIS_MAX), \
+    SHOW_CUT(scene, rate, SHOW_LEAST(rows, SHOW_ROWS_MAX), \
+             SHOW_LEAST(SHOW_RECORDS ? (tris) * 5 / 2 + 64 : (tris), SHOW_TRIS_MAX), \
              SHOW_LEAST(verts, SHOW_VERTS_MAX), varyings)
 #if SHOW_CORES == 2
 #define SHOW_ARENA_2(bytes) ZS_ARENA(show_arena_2, bytes);
@@ -97,7 +112,7 @@ extern const struct show show;
 #define SHOW_ITS_ARENA_2
 #endif
 #define SHOW_CUT(scene, rate, rows, tris, verts, varyings)                                                    \
-    ZS_ARENA(show_arena, ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, varyings, SHOW_BUFFERS)); \
+    ZS_ARENA(show_arena, SHOW_ARENA_BYTES(rows, tris, verts, varyings));                                      \
     SHOW_ARENA_2(sizeof show_arena)                                                                        \
     ZS_ARENA(show_scratch, SHOW_SCRATCH(rows));                                                            \
     const struct show show = { &scene, rate, rows, tris, verts, varyings, show_arena, show_scratch,           \

@@ -7,6 +7,7 @@
 #   and of the linker
 # DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
 #   another choice compiles all anew
+# METHOD=painter: the show by a method of hidden-surface removal (zs_method.h), $(ELF) with _painter in its name
 # LEAN=1: least flash: no accelerators (firmware/zstrip/fast is not compiled), -Os; $(B)/fw/$(BOARD)-lean
 # CORES=2: the show is drawn by two cores, $(B)/fw/$(BOARD)-2
 #
@@ -55,6 +56,17 @@ APP_SRC += firmware/scenes/pieces/$(SCENE).c
 APP_FLAGS += -DSHOW_PIECE=1
 endif
 endif
+METHODS_KNOWN = $(shell sed -n 's/^extern const struct zs_method zs_method_\([a-z]*\);/\1/p' firmware/zstrip/zs_method.h)
+ifneq ($(filter-out $(METHODS_KNOWN),$(METHOD)),)
+$(error METHOD=$(METHOD): no such method; there are $(METHODS_KNOWN), and none: the depth buffer)
+endif
+ifdef METHOD
+NAME := $(NAME)_$(METHOD)
+APP_FLAGS += -include zs_method.h -DSHOW_METHOD=zs_method_$(METHOD) \
+             $(if $(filter painter,$(METHOD)),-DSHOW_NO_KEYS=1 -DSHOW_MAPPING=\&zs_depth_none) \
+             $(if $(filter depthsort coverage,$(METHOD)),-DSHOW_NO_KEYS=1 -DSHOW_MAPPING=\&zs_depth_order) \
+             $(if $(filter depthsort coverage raycast,$(METHOD)),-DSHOW_RECORDS=1)
+endif
 endif
 ELF = $(OUT)/$(NAME).elf
 
@@ -91,7 +103,7 @@ endif
 # method/, effect/, overlay/ and hal/panel/ are compiled where the program's own sources, or headers of their names,
 # name something of them
 NAMING = $(APP_SRC) $(wildcard $(APP_SRC:.c=.h))
-METHODS = $(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
+METHODS = $(METHOD)$(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
 EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' $(NAMING))
 OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(NAMING))
 CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) \

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "costs.h"
 #include "false_colors.h"
 #include "frame.h"
 #include "gallery_page.h"
@@ -30,7 +31,7 @@ struct request {
 static const struct sim_option table[] = {
     { "--out", SIM_OPTION_TEXT, AT(out), .value = "DIR", .help = "the folder, made if there is none (build/gallery)" },
     { "--m3", SIM_OPTION_FILE, AT(counts),
-      .help = "instructions on a Cortex-M3, lines of METHOD,SCENE,INSTRUCTIONS; make gallery counts them" },
+      .help = "lines of METHOD,SCENE,INSTRUCTIONS on a Cortex-M3, in place of estimates; make gallery counts them" },
     SIM_HELP_OPTIONS(AT(help)),
 };
 
@@ -63,6 +64,7 @@ static int shoot(struct gallery_shot *shot, const struct demo *demo, const struc
     struct demo_frame f;
     struct sim_frame frame;
     struct zs_config config;
+    struct sim_counted counted;
     uint32_t *id = sim_alloc((size_t)demo->width * demo->height, sizeof *id);
     uint32_t *written = sim_alloc((size_t)demo->width * demo->height, sizeof *written);
     demo->pose(&f, 0, demo->width, demo->height);
@@ -83,7 +85,10 @@ static int shoot(struct gallery_shot *shot, const struct demo *demo, const struc
     err = err ? err : sim_frame_ids(id, &f.scene, &f.camera, &config);
     err = err ? err : sim_writes_count(written, NULL, &f.scene, &f.camera, &config);
     err = err ? err : count_wrong(&shot->wrong, id, &f, &config);
+    err = err ? err : sim_costs_count(&counted, &f.scene, &f.camera, &config);
     if (!err) {
+        shot->instructions = sim_costs_sum(SIM_CORE_M3, &counted);
+        shot->estimated = 1;
         shot->pixels = (uint32_t)demo->width * demo->height;
         for (uint32_t i = 0; i < shot->pixels; i++) {
             shot->visible += id[i] != 0;
@@ -116,6 +121,7 @@ static int read_counts(struct gallery_shot (*shot)[GALLERY_SCENES], const char *
             for (size_t i = 0; i < GALLERY_SCENES; i++)
                 if (strcmp(sim_methods[m].name, method) == 0 && strcmp(scenes[i]->name, scene) == 0) {
                     shot[m][i].instructions = instructions;
+                    shot[m][i].estimated = 0;
                     found++;
                 }
     }
@@ -162,8 +168,10 @@ static void print_table(struct gallery_shot (*shot)[GALLERY_SCENES])
     for (size_t i = 0; i < GALLERY_SCENES; i++)
         for (size_t m = 0; m < SIM_METHODS; m++) {
             const struct gallery_shot *s = &shot[m][i];
-            (void)printf("%-12s %-11s %8u %7u %12.0f %9u %9u %8u %7u %7u %7u %6u\n", scenes[i]->name,
-                         sim_methods[m].name, s->arena_bytes, s->depth_bytes, s->instructions, s->stats.pixels_tested,
+            char instructions[32];
+            (void)snprintf(instructions, sizeof instructions, "%s%.0f", s->estimated ? "~" : "", s->instructions);
+            (void)printf("%-12s %-11s %8u %7u %12s %9u %9u %8u %7u %7u %7u %6u\n", scenes[i]->name,
+                         sim_methods[m].name, s->arena_bytes, s->depth_bytes, instructions, s->stats.pixels_tested,
                          s->written, s->visible, s->stats.sorted, s->stats.splits, s->stats.rays, s->wrong);
         }
 }

@@ -68,10 +68,7 @@ static void put_row(FILE *f, const struct sim_method *m, const struct gallery_sh
     (void)fprintf(f, "<tr><th>%s", m->title);
     put_count(f, s->arena_bytes);
     put_count(f, s->depth_bytes);
-    if (s->instructions > 0.0)
-        put_count(f, s->instructions);
-    else
-        (void)fputs("<td>-", f);
+    (void)fprintf(f, "<td>%s%.2f M", s->estimated ? "~" : "", s->instructions / 1e6);
     put_count(f, s->stats.pixels_tested);
     put_count(f, s->written);
     put_count(f, s->visible);
@@ -108,7 +105,8 @@ void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], co
     }
     (void)fputs(
         "<p>Fragments: pixels of triangles before hidden ones are left out. Wrong pixels: those that do not show the "
-        "triangle that the double-precision reference shows.</p>\n",
+        "triangle that the double-precision reference shows. Instructions with a ~ are estimates of zsim budget; make "
+        "gallery counts them on an emulated core.</p>\n",
         f);
     for (size_t m = 0; m < SIM_METHODS; m++)
         put_card(f, &sim_methods[m], shot[m], scene);

@@ -20,7 +20,8 @@ struct gallery_shot {
     uint32_t arena_bytes, depth_bytes;
     uint32_t pixels, visible, written; /* of the frame; that something was drawn on; colourings of pixels */
     uint32_t wrong;                    /* pixels that are not as the double-precision reference has them */
-    double instructions;               /* on a Cortex-M3; 0: not counted */
+    double instructions;               /* on a Cortex-M3 */
+    int estimated;                     /* flag: these, as zsim budget estimates them */
 };
 
 /* Write the page. shot: [SIM_METHODS][GALLERY_SCENES]; scene: names; effect: [GALLERY_EFFECTS]. */

@@ -67,28 +67,29 @@ reasons() { # FILE    on a line, the first ones
     head -3 "$1" | tr '\n' ' '
 }
 
-# Sizes, and stack of an image that has run, into the table: SCENE STEM ELF FLASH RAM
+# Sizes, and stack of an image that has run, into the table: SCENE STEM ELF FLASH RAM [METHOD]
 figures() {
     last=$(sed -n "s/^text $1,//p" "$2.txt" | tail -1)
     used=${last##*,} draw=$(echo "$last" | cut -d, -f3)
     reserve=$(arm-none-eabi-size -A "$3" | awk '$1 == ".stack" { print $2 }')
     [ "${used:-0}" -gt 0 ] && [ "$used" -lt $((reserve * 3 / 4)) ] ||
-        bad "microbit_$1_stack" "$used of $reserve bytes, more than three quarters"
-    [ "$5" -le $RAM ] || bad "microbit_$1_ram" "$5 of $RAM bytes"
-    echo "microbit $1 $4 $5 $used ${draw}000" >>"$out/table.txt"
+        bad "microbit_$1${6:+_$6}_stack" "$used of $reserve bytes, more than three quarters"
+    [ "$5" -le $RAM ] || bad "microbit_$1${6:+_$6}_ram" "$5 of $RAM bytes"
+    echo "microbit $1${6:+_$6} $4 $5 $used ${draw}000" >>"$out/table.txt"
 }
 
-scene_tests() { # SCENE
-    image microbit APP=show SCENE="$1"
+scene_tests() { # SCENE [METHOD]
+    name=$1${2:+_$2}
+    image microbit APP=show SCENE="$1" METHOD="${2:-}"
     flashed=$(sizes)
-    uart_image APP=show SCENE="$1"
-    truth "$out/truth" "$1" $FRAMES $STEP --size 160x128 --subpixel 4
-    stops_after "$fw-uart/$1.elf" "$out/$1.elf" $FRAMES $STEP
-    frames "$out/$1" "$out/$1.elf" "$1" >"$out/$1.bad"
-    same "$out/$1" "$out/truth" "$1" >>"$out/$1.bad"
-    verdict "microbit_$1_pictures" "$(reasons "$out/$1.bad")"
+    uart_image APP=show SCENE="$1" METHOD="${2:-}"
+    truth "$out/truth${2:-}" "$1" $FRAMES $STEP --size 160x128 --subpixel 4 ${2:+--method $2}
+    stops_after "$fw-uart/$name.elf" "$out/$name.elf" $FRAMES $STEP
+    frames "$out/$name" "$out/$name.elf" "$1" >"$out/$name.bad"
+    same "$out/$name" "$out/truth${2:-}" "$1" >>"$out/$name.bad"
+    verdict "microbit_${name}_pictures" "$(reasons "$out/$name.bad")"
     # shellcheck disable=SC2086
-    figures "$1" "$out/$1" "$fw-uart/$1.elf" $flashed
+    figures "$1" "$out/$name" "$fw-uart/$name.elf" $flashed "${2:-}"
 }
 
 pixel() { # FILE X Y    of 320 px wide RGB565
@@ -175,6 +176,10 @@ silent_spi() {
 
 for scene in $SCENES; do
     scene_tests "$scene"
+done
+# Without depth keys: 8 rows of 160 of them are 2,560 bytes.
+for method in painter depthsort coverage; do
+    scene_tests cubes $method
 done
 mine
 takes_passes
