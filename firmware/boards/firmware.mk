@@ -56,7 +56,8 @@ APP_SRC += firmware/scenes/pieces/$(SCENE).c
 APP_FLAGS += -DSHOW_PIECE=1
 endif
 endif
-METHODS_KNOWN = $(shell sed -n 's/^extern const struct zs_method zs_method_\([a-z]*\);/\1/p' firmware/zstrip/zs_method.h)
+METHODS_KNOWN = $(shell sed -n 's/^extern const struct zs_method zs_method_\([a-z]*\);/\1/p' \
+                          firmware/zstrip/zs_method.h)
 ifneq ($(filter-out $(METHODS_KNOWN),$(METHOD)),)
 $(error METHOD=$(METHOD): no such method; there are $(METHODS_KNOWN), and none: the depth buffer)
 endif
