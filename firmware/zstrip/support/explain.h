@@ -58,6 +58,11 @@ void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen);
 void zs_explain_mesh(struct zs_explainer *e, uint32_t i, int mesh, int texture);
 /* Say that the camera's angles were typed as degrees. */
 void zs_explain_camera_turned(struct zs_explainer *e);
+/* Say what is wrong with the light's fields; all: what is seen of the scene. Return 1 if something
+ * was said. */
+int zs_explain_light(struct zs_explainer *e, const struct zs_seen *all);
+/* Say why the picture is black or dark. */
+void zs_explain_dark(struct zs_explainer *e, const struct zs_seen *all);
 /* Say what is wrong with the order of instances without depth memory, or with near and far. */
 void zs_explain_depth(struct zs_explainer *e);
 /* Say what is wrong with the resolve hooks. */
