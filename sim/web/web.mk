@@ -8,8 +8,9 @@ WEB_SIM = $(wildcard $(patsubst %,sim/%/*.c,effect frame compare reference panel
               value.c) \
           $(addprefix sim/load/,losses.c mirrored.c model_shape.c picture.c) \
           $(addprefix sim/convert/,cluster.c convert_arrays.c convert_figures.c convert_options.c convert_text.c \
-              convert_write.c converted.c grid_step.c hierarchy.c mesh_pieces.c palette.c quantise.c resample.c \
-              scene_parts.c simplify.c texel_pack.c) \
+              convert_write.c converted.c grid_step.c hierarchy.c mesh_cut.c mesh_groups.c mesh_pieces.c palette.c \
+              quantise.c quantise_file.c quantise_textures.c quantise_view.c resample.c scene_parts.c simplify.c \
+              texel_pack.c) \
           $(addprefix sim/budget/,budget_figures.c budget_parts.c budget_scene.c budget_times.c costs.c costs_count.c \
               costs_error.c) \
           firmware/scenes/gen/font.c
