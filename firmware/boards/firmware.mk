@@ -121,8 +121,8 @@ OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAM
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra $(WERROR) -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
-         -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes \
-         -Ifirmware/scenes/pieces $(GEN) \
+         -Ihal -Ihal/null -Ihal/cortexm -Ihal/semihosting -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip \
+         -Ifirmware/scenes -Ifirmware/scenes/pieces $(GEN) \
          $(if $(filter 1,$(LEAN)),-DZS_NO_FAST=1) $(BOARD_FLAGS) \
          $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 

@@ -1,8 +1,8 @@
 /* What HALs of Cortex-M boards share; each board.mk names the files that it takes.
  *
  *   systick.c   hal_ticks, from SysTick on the core's clock, extended to 64 bits by its interrupt; pauses
- *   semihost.c  hal_write, hal_exit and the hard fault, by semihosting: QEMU, or a debugger that offers it. Without
- *               either, the first call is a fault
+ *   semihost.c  semihosting and the hard fault: with hal/semihosting/semihosting.c, hal_write and hal_exit. For QEMU,
+ *               or a debugger that offers it; without either, the first call is a fault
  *
  * SPDX-License-Identifier: MIT
  */

@@ -51,11 +51,7 @@
 #define SPI_MHZ 8
 #endif
 
-/* 0 or 3. Both clock data in on the rising edge. Modules without a CS pin want 3; after a transfer that was broken off
- * they no longer know where bytes begin, until panel_init resets them. */
-#ifndef SPI_MODE
-#define SPI_MODE 0
-#endif
+#include "spi_mode.h" /* SPI_MODE: 0 or 3 */
 
 /* 1: no SPI. What would go over the panel's wire leaves with the text, as the words that `zsim panel --decode` reads:
  * for QEMU, which models no SPI, and for a desk without a panel. At 115200 baud 0.2 ms a byte of the wire. */

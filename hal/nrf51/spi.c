@@ -24,7 +24,6 @@
 
 _Static_assert(SPI_INSTANCE == 0 || SPI_INSTANCE == 1, "SPI_INSTANCE: 0 or 1");
 _Static_assert(SPI_MHZ == 8 || SPI_MHZ == 4 || SPI_MHZ == 2 || SPI_MHZ == 1, "SPI_MHZ: 8, 4, 2 or 1");
-_Static_assert(SPI_MODE == 0 || SPI_MODE == 3, "SPI_MODE: 0 or 3");
 
 /* Off and on again: bytes that wait are gone, what came in is read away. */
 static void restart(void)

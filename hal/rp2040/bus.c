@@ -30,7 +30,6 @@
 #define SPINS 20000u /* of some eight cycles: a millisecond, for what takes microseconds */
 
 _Static_assert(SPI_DIVIDER >= 2 && SPI_DIVIDER <= 254 && SPI_DIVIDER % 2 == 0, "SPI_DIVIDER: even, 2 to 254");
-_Static_assert(SPI_MODE == 0 || SPI_MODE == 3, "SPI_MODE: 0 or 3");
 
 void DMA_0_Handler(void);
 void TIMER_0_Handler(void);

@@ -37,10 +37,6 @@
 #define SPI_DIVIDER 2
 #endif
 
-/* 0 or 3. Both clock data in on the rising edge. Modules without a CS pin want 3; after a transfer that was broken off
- * they no longer know where bytes begin, until panel_init resets them. */
-#ifndef SPI_MODE
-#define SPI_MODE 0
-#endif
+#include "spi_mode.h" /* SPI_MODE: 0 or 3 */
 
 #endif

@@ -9,11 +9,7 @@
  */
 #include "hal.h"
 #include "null.h"
-
-#define SYS_WRITE0 0x04u
-#define SYS_EXIT 0x18u
-#define EXIT_OK 0x20026u     /* ADP_Stopped_ApplicationExit */
-#define EXIT_FAILED 0x20023u /* ADP_Stopped_RunTimeErrorUnknown */
+#include "semihosting.h"
 
 /* CSRs are an extension of their own, and what the board is compiled for is without it. */
 #define READ_CSR(name, to) \
@@ -23,24 +19,12 @@ void Trap_Handler(void);
 
 static uint64_t start;
 
-static void semihost(uint32_t operation, uint32_t argument)
+void semihosting_call(uint32_t operation, uint32_t argument)
 {
     register uint32_t a0 __asm__("a0") = operation;
     register uint32_t a1 __asm__("a1") = argument;
     __asm__ volatile(".option push\n.option norvc\n.balign 16\n"
                      "slli zero, zero, 0x1f\nebreak\nsrai zero, zero, 7\n.option pop" : "+r"(a0) : "r"(a1) : "memory");
-}
-
-void hal_exit(int status)
-{
-    semihost(SYS_EXIT, status ? EXIT_FAILED : EXIT_OK);
-    for (;;) {
-    }
-}
-
-void hal_write(const char *text)
-{
-    semihost(SYS_WRITE0, (uint32_t)text);
 }
 
 /* A fault: an instruction that rv32imc does not have, above all. Nothing here enables interrupts. */

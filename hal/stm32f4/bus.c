@@ -35,7 +35,6 @@
     (SPI_DIVIDER == 2 ? 0u : SPI_DIVIDER == 4 ? 1u : SPI_DIVIDER == 8 ? 2u : SPI_DIVIDER == 16 ? 3u         \
      : SPI_DIVIDER == 32 ? 4u : SPI_DIVIDER == 64 ? 5u : SPI_DIVIDER == 128 ? 6u : 7u)
 _Static_assert(SPI_DIVIDER == 2 << DIVIDER_BITS, "SPI_DIVIDER: 2, 4, 8, 16, 32, 64, 128 or 256");
-_Static_assert(SPI_MODE == 0 || SPI_MODE == 3, "SPI_MODE: 0 or 3");
 _Static_assert(PIN_SCK == PA5 || PIN_SCK == PB3, "PIN_SCK: PA5 or PB3");
 _Static_assert(PIN_MOSI == PA7 || PIN_MOSI == PB5, "PIN_MOSI: PA7 or PB5");
 

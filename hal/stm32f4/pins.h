@@ -53,11 +53,7 @@ enum stm32f4_pin {
 #define SPI_DIVIDER 2
 #endif
 
-/* 0 or 3. Both clock data in on the rising edge. Modules without a CS pin want 3; after a transfer that was broken off
- * they no longer know where bytes begin, until panel_init resets them. */
-#ifndef SPI_MODE
-#define SPI_MODE 0
-#endif
+#include "spi_mode.h" /* SPI_MODE: 0 or 3 */
 
 /* 0: pixels are written by the core, as commands are. For emulators without the DMA; nothing is drawn meanwhile. */
 #ifndef SPI_DMA

@@ -20,23 +20,27 @@ struct parts {
     int n; /* 0: it is too long, has too many parts, or an empty one */
 };
 
-static void parts_of(struct parts *p, const char *text)
+/* Return 0: there is no text, which is NULL then. */
+static int parts_of(struct parts *p, const char *text)
 {
     p->n = 0;
+    if (text == NULL)
+        return 0;
     if (strlen(text) > TEXT_MAX)
-        return;
+        return 1;
     strcpy(p->text, text);
     for (char *at = p->text; at != NULL;) {
         char *colon = strchr(at, ':');
         if (p->n == PARTS_MAX || *at == '\0' || colon == at) {
             p->n = 0;
-            return;
+            return 1;
         }
         if (colon != NULL)
             *colon++ = '\0';
         p->part[p->n++] = at;
         at = colon;
     }
+    return 1;
 }
 
 static int take_number(const char *text, double *out)
@@ -57,7 +61,7 @@ static int take_vector(const char *text, double v[3])
 static int take_light(struct sim_effect_options *e, const char *text, const char *file)
 {
     struct parts p;
-    parts_of(&p, text);
+    (void)parts_of(&p, text);
     struct sim_light light = { .rgb = ZS_RGB(0xffffff) };
     const int kind = p.n > 0 ? sim_value_choice(p.part[0], "dir|point|spot") : -1;
     if (kind < 0 || p.n < 2 || p.n > 4 || !take_vector(p.part[1], light.at) ||
@@ -97,10 +101,9 @@ static int take_lights(struct sim_effect_options *e, double plain[3], int *has_p
 
 static int take_specular(struct sim_effect_options *e, const char *file)
 {
-    if (e->specular_text == NULL)
-        return SIM_OK;
     struct parts p;
-    parts_of(&p, e->specular_text);
+    if (!parts_of(&p, e->specular_text))
+        return SIM_OK;
     const char *end;
     if (p.n != 2 || !sim_value_long(p.part[0], &end, &e->specular_power) || *end != '\0' ||
         !take_number(p.part[1], &e->specular_strength))
@@ -114,10 +117,9 @@ static int take_specular(struct sim_effect_options *e, const char *file)
 
 static int take_fog(struct sim_effect_options *e, const char *file)
 {
-    if (e->fog_text == NULL)
-        return SIM_OK;
     struct parts p;
-    parts_of(&p, e->fog_text);
+    if (!parts_of(&p, e->fog_text))
+        return SIM_OK;
     const int kind = p.n > 0 ? sim_value_choice(p.part[0], "linear|exp") : -1;
     const int linear = kind == 0 && p.n == 4 && take_number(p.part[1], &e->fog_start) &&
                        take_number(p.part[2], &e->fog_end);

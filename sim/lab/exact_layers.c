@@ -12,42 +12,20 @@
 #include "reference.h"
 #include "scene_reference.h"
 #include "sim.h"
+#include "two_layers.h"
 
-#define LAYER_Z (1 << 26) /* world units: a bucket is a thousand of them or more */
 #define LAYER_W 32
 #define LAYER_H 24
 
-struct layers { /* squares that face the camera and more than fill the frame; the farther one first
-                 */
-    struct zs_mesh mesh;
-    struct zs_material material[2];
-    struct zs_instance in[2];
-    struct zs_scene scene;
+struct layers {
+    struct two_layers of;
     struct zs_camera camera;
     struct zs_config config;
 };
 
 static void layers_open(struct layers *l, struct prng *r, const struct zs_depth *mapping)
 {
-    static const int16_t pos[4][3] = {
-        { -32000, -32000, 0 }, { 32000, -32000, 0 }, { 32000, 32000, 0 }, { -32000, 32000, 0 }
-    };
-    static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
     memset(l, 0, sizeof *l);
-    l->mesh.pos = pos;
-    l->mesh.tri = tri;
-    l->mesh.n_verts = 4;
-    l->mesh.n_tris = 2;
-    l->mesh.radius = 46000;
-    l->mesh.scale = (zs_uq16_16)(LAYER_Z / 32000) << 16;
-    for (int k = 0; k < 2; k++) {
-        l->material[k].shader = &zs_shade_raw;
-        l->material[k].rgb.g = k ? 255 : 0;
-        l->in[k].mesh = &l->mesh;
-        l->in[k].material = &l->material[k];
-        zs_pose_identity(&l->in[k].pose);
-    }
-    l->scene.instance = l->in;
     sim_frame_config(&l->config, LAYER_W, LAYER_H, ZS_VARYINGS_FLAT);
     l->config.max_tris = 16;
     l->config.max_verts = 40;
@@ -63,7 +41,7 @@ static int layers_place(struct layers *l, struct prng *r, double buckets)
     const struct ref_depth depth = { sim_truth_mapping(l->config.depth, &l->camera),
                                      l->config.depth_bits };
     const double ratio = prng_real_log(r, 10, 1e5);
-    const int32_t z = LAYER_Z + (int32_t)prng_pick(r, 1 << 20);
+    const int32_t z = TWO_LAYERS_Z + (int32_t)prng_pick(r, 1 << 20);
     const double near = floor(fmax(64, z / prng_real_log(r, 1, ratio)));
     struct ref_camera camera;
     l->camera.z_near = (zs_q48_16)near * 65536;
@@ -80,8 +58,7 @@ static int layers_place(struct layers *l, struct prng *r, double buckets)
         else
             lo = mid;
     }
-    l->in[0].pose.pos[2] = -z;
-    l->in[1].pose.pos[2] = -(z - hi);
+    two_layers_set(&l->of, z - hi, z);
     return 1;
 }
 
@@ -91,9 +68,9 @@ static int layers_draw(struct sim_exact_layers *out, struct layers *l)
     int err = ZS_OK;
     memset(f, 0, sizeof f);
     for (uint32_t k = 0; k < 3 && !err; k++) {
-        l->scene.instance = &l->in[k % 2 ? 1 : 0];
-        l->scene.n_instances = k < 2 ? 1 : 2;
-        err = sim_frame_render(&f[k], &l->scene, &l->camera, &l->config, NULL);
+        l->of.scene.instance = &l->of.in[k % 2 ? 1 : 0];
+        l->of.scene.n_instances = k < 2 ? 1 : 2;
+        err = sim_frame_render(&f[k], &l->of.scene, &l->camera, &l->config, NULL);
     }
     for (int i = 0; i < LAYER_W * LAYER_H && !err; i++) {
         const int right = f[2].rgb565[i] == zs_rgb565(0, 255, 0);

@@ -168,6 +168,17 @@ static int step(int *at, int first, int last)
     return 1;
 }
 
+int solomon_switch(struct solomon *s, uint8_t code, const enum solomon_show shows[4])
+{
+    if (code >= 0xa4 && code <= 0xa7)
+        s->show = shows[code & 3];
+    else if (code == 0xae || code == 0xaf)
+        s->on = code & 1;
+    else
+        return 0;
+    return 1;
+}
+
 void solomon_step(struct solomon *s)
 {
     if (s->downwards) {

@@ -68,6 +68,10 @@ uint32_t solomon_shown(const struct pm_model *m, uint32_t value, uint32_t all);
 /* Note that the last command's argument is wrong: "COMMAND 0xNN what". */
 void solomon_wrong(struct pm_model *m, const char *what, unsigned argument);
 
+/* Switch between what is shown (0xA4 to 0xA7, by the lowest two bits), and on or off (0xAE, 0xAF). Return 0: the
+ * command is another one. */
+int solomon_switch(struct solomon *s, uint8_t code, const enum solomon_show shows[4]);
+
 /* Set a window's two ends, with checks; and step the address inside of it. */
 void solomon_window(struct pm_model *m, int is_row, uint8_t from, uint8_t to, int limit);
 void solomon_step(struct solomon *s);

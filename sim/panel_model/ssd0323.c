@@ -76,12 +76,13 @@ static void rectangle(struct pm_model *m, const uint8_t *a)
                 put(m, x, y, a[4]);
 }
 
-/* By the lowest two bits of the command. */
 static const enum solomon_show shows[4] = { SHOW_RAM, SHOW_ALL, SHOW_NONE, SHOW_NEGATIVE };
 
 static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
 {
     struct solomon *s = m->state;
+    if (solomon_switch(s, code, shows))
+        return;
     if (code == 0x15 || code == 0x75)
         solomon_window(m, code == 0x75, args[0], args[1], code == 0x75 ? ROWS : COLUMNS);
     else if (code == 0x23)
@@ -94,10 +95,6 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
         set_remap(m, args[0]);
     else if (code == 0xa1 || code == 0xa2 || code == 0xa8)
         set_rows(m, code, args[0]);
-    else if (code >= 0xa4 && code <= 0xa7)
-        s->show = shows[code & 3];
-    else if (code == 0xae || code == 0xaf)
-        s->on = code & 1;
     else if (code == 0x25 || code == 0x2f)
         pm_note(m, PM_VALUE, s->now_at, "%s is not followed by this model", s->now->name);
 }

@@ -81,7 +81,6 @@ static void set_contrast(struct pm_model *m, uint8_t code, const uint8_t *args)
         s->light.level[code == 0xc1 ? i : 3] = code == 0xc1 ? args[i] : args[0] & 15;
 }
 
-/* By the lowest two bits of the command. */
 static const enum solomon_show shows[4] = { SHOW_NONE, SHOW_ALL, SHOW_RAM, SHOW_NEGATIVE };
 
 static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
@@ -92,6 +91,8 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
                 s->locked & 2 ? 0x12 : 0xb1);
         return;
     }
+    if (solomon_switch(s, code, shows))
+        return;
     if (code == 0x15 || code == 0x75)
         solomon_window(m, code == 0x75, args[0], args[1], 128);
     else if (code == 0x5c)
@@ -100,10 +101,6 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
         set_remap(m, args[0]);
     else if (code == 0xa1 || code == 0xa2 || code == 0xca)
         set_rows(m, code, args[0]);
-    else if (code >= 0xa4 && code <= 0xa7)
-        s->show = shows[code & 3];
-    else if (code == 0xae || code == 0xaf)
-        s->on = code & 1;
     else if (code == 0xc1 || code == 0xc7)
         set_contrast(m, code, args);
     else if (code == 0xfd)

@@ -17,7 +17,7 @@ peer() {
     defined=
     for f in $4; do
         # shellcheck disable=SC2086
-        $2 $3 -std=c11 -O2 $WARN -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -c "$f" -o "$B/hal/$1.o" ||
+        $2 $3 -std=c11 -O2 $WARN -Ihal -Ihal/null -Ihal/cortexm -Ihal/semihosting -Ihal/spi -c "$f" -o "$B/hal/$1.o" ||
             bad "$1 compiles" "$f"
         defined="$defined
 $("${2%gcc}nm" "$B/hal/$1.o" | awk '$2 ~ /[TDBRC]/ { print $3 }')"

@@ -35,7 +35,7 @@ reach() {
     for f in "$@"; do
         # shellcheck disable=SC2046
         deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/null -Ihal/cortexm \
-            -Ihal/spi -Ihal/panel \
+            -Ihal/semihosting -Ihal/spi -Ihal/panel \
             $(printf -- '-I%s ' sim/*/) "$f" 2>"$B/reach.txt") ||
             broken="$broken $f"
         found="$found
@@ -74,10 +74,11 @@ else bad "zstrip: arrows are found" "$(wc -l <"$B/arrows.txt")"; fi
 none "zstrip: no circle of includes" "$(tsort "$B/arrows.txt" 2>&1 >"$B/order.txt" | sed 's/.*: //' | tr '\n' ' ')"
 
 only "hal.h includes standard headers" "$STD" hal/*.h
-for dir in hal/*/; do # what is shared is null's bus and cortexm; only host and linux are hosted programs
+# what is shared is null's bus, cortexm, semihosting and spi; only host and linux are hosted programs
+for dir in hal/*/; do
     case $dir in hal/panel/) continue ;; hal/host/ | hal/linux/) std=$HOSTED ;; *) std=$STD ;; esac
     only "${dir%/} includes hal.h, its own and shared headers" \
-        "\"hal\\.h\"|$(headers "$dir" hal/null hal/cortexm hal/spi)|$std" "$dir"*.[ch]
+        "\"hal\\.h\"|$(headers "$dir" hal/null hal/cortexm hal/semihosting hal/spi)|$std" "$dir"*.[ch]
 done
 only "hal/rp2040/second includes hal.h, second.h and its HAL's own" \
     "\"(hal|second|\.\./parts|\.\./regs)\.h\"|$STD" hal/rp2040/second/*.c

@@ -6,18 +6,7 @@
 
 #include <string.h>
 
-#include "wrong.h"
-
 const char *cases_program = "?";
-
-int case_wrong(const char *format, ...)
-{
-    va_list args;
-    va_start(args, format);
-    const int none = wrong_said("", format, args);
-    va_end(args);
-    return none;
-}
 
 void cases_run(const char *test, case_fn *fn, uint64_t n)
 {

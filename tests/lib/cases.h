@@ -18,6 +18,7 @@
 #include <cmocka.h>
 
 #include "prng.h"
+#include "wrong.h"
 
 /* One case. Return 1 if it is right; 0 after case_wrong(). */
 typedef int case_fn(uint64_t seed);
@@ -51,7 +52,7 @@ void cases_test(void **state); /* *state: a struct cases */
                                         (const struct cases_count[]){ __VA_ARGS__, { NULL, NULL, 0 } } } }
 
 /* Say what is wrong; always 0, to be returned. */
-int case_wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));
+#define case_wrong(...) wrong_said("", __VA_ARGS__)
 
 /* assert_true for the body of a case. */
 #define CASE_CHECK(condition) \

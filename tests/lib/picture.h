@@ -38,16 +38,14 @@ struct picture picture_draw(const struct zs_config *config, const struct zs_scen
 /* The same in passes, by zs_render_passes. */
 struct picture picture_passes(const struct zs_config *config, const struct zs_pass *pass, uint32_t n);
 void picture_free(struct picture *p);
+/* 1: it was drawn, and covers more than so many pixels. Else say that it does not. */
+int picture_shows(const struct picture *p, uint32_t pixels);
 /* 1: same size, colours and keys. Else say where they differ first, with a name for the case. */
 int picture_same(const struct picture *a, const struct picture *b, const char *name);
 /* The same for two pictures that are of no use afterwards: both are freed, their statistics stay. */
 int picture_drawn_alike(struct picture *want, struct picture *is, const char *name);
 /* ... where it is right, too, that both were refused with the same error. */
 int picture_alike(struct picture *want, struct picture *is, const char *name);
-/* 1: a world, or any scene, is drawn alike by config and in another way (picture_any_way, with its tris and verts).
- * stats: of both; NULL: not wanted. */
-int picture_ways_alike(struct prng *p, struct zs_config config, const struct zs_scene *scene,
-                       const struct zs_camera *camera, int32_t tris, int32_t verts, struct zs_stats stats[2]);
 /* 1: tris_in is tris_drawn and all rejects. */
 int stats_add_up(const struct zs_stats *s);
 

@@ -30,6 +30,17 @@ static inline void shape_begin(struct shape *s)
     s->mesh.scale = ZS_Q16_ONE;
 }
 
+/* Give it texture coordinates at random, up to `most` each way, of so many bits. uv: [n_verts], kept where it is as
+ * long as the shape. */
+static inline void shape_uv(struct shape *s, int16_t (*uv)[2], struct prng *p, int32_t most, uint8_t bits)
+{
+    for (uint32_t v = 0; v < s->mesh.n_verts; v++)
+        for (int k = 0; k < 2; k++)
+            uv[v][k] = (int16_t)prng_range(p, -most, most);
+    s->mesh.uv = (const int16_t (*)[2])uv;
+    s->mesh.uv_bits = bits;
+}
+
 /* Returns the vertex's number. The normal is the direction of n. */
 static inline uint32_t shape_vertex(struct shape *s, const int32_t p[3], const int32_t n[3])
 {

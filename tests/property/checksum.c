@@ -190,6 +190,12 @@ static void page_clipped_linear(struct page *p)
     p->config.depth_bits = 12;
 }
 
+static void page_coarse_linear(struct page *p)
+{
+    page_clipped(p, "4 sub-pixel bits, linear keys", &zs_depth_linear);
+    p->config.subpixel_bits = 4;
+}
+
 static void page_ortho(struct page *p)
 {
     begin(p, "orthographic", &zs_depth_linear);
@@ -212,12 +218,6 @@ static void page_coarse(struct page *p)
     p->config.max_verts = 90;
 }
 
-static void page_coarse_linear(struct page *p)
-{
-    page_clipped(p, "4 sub-pixel bits, linear keys", &zs_depth_linear);
-    p->config.subpixel_bits = 4;
-}
-
 /* Fine positions, scales that are no powers of two, a pose composed a hundred times, an orbiting
  * eye. */
 static void page_composed(struct page *p)
@@ -235,29 +235,30 @@ static void page_composed(struct page *p)
     (void)zs_camera_orbit(&p->camera, at, 5000, 40000, 5000);
 }
 
+static void dress(struct page *p, uint32_t n, const struct zs_shader *shader, uint32_t shape,
+                  const struct zs_texture *texture)
+{
+    p->material[n].material.shader = shader;
+    cover(p, n, shape, texture, 0);
+}
+
 static void page_textured(struct page *p)
 {
     page_flat(p);
     p->name = "textured, e3m13 keys";
     p->config.depth = &zs_depth_e3m13;
-    p->material[0].material.shader = &zs_shade_texture;
-    p->material[1].material.shader = &zs_shade_texture_flat;
-    p->material[2].material.shader = &zs_shade_texture_smooth;
-    cover(p, 0, 0, &texture_565, 0);
-    cover(p, 1, 1, &texture_pal8, 0);
-    cover(p, 2, 0, &texture_pal4, 0);
+    dress(p, 0, &zs_shade_texture, 0, &texture_565);
+    dress(p, 1, &zs_shade_texture_flat, 1, &texture_pal8);
+    dress(p, 2, &zs_shade_texture_smooth, 0, &texture_pal4);
 }
 
 /* Sub-spans of all lengths, planes through near, coordinates far beyond a clamped texture. */
 static void page_textured_clipped(struct page *p)
 {
     page_clipped(p, "textured, clipped, e4m12 keys", &zs_depth_e4m12);
-    p->material[0].material.shader = &zs_shade_texture_smooth;
-    p->material[1].material.shader = &zs_shade_texture;
-    p->material[2].material.shader = &zs_shade_texture_flat;
-    cover(p, 0, 0, &texture_pal8, 0);
-    cover(p, 1, 1, &texture_pal4, 0);
-    cover(p, 2, 1, &texture_line, 0);
+    dress(p, 0, &zs_shade_texture_smooth, 0, &texture_pal8);
+    dress(p, 1, &zs_shade_texture, 1, &texture_pal4);
+    dress(p, 2, &zs_shade_texture_flat, 1, &texture_line);
 }
 
 static void page_textured_small_pools(struct page *p)

@@ -12,6 +12,7 @@
 #include "oracle.h"
 #include "picture.h"
 #include "shapes.h"
+#include "two_layers.h"
 #include "easel.h"
 
 #define GUARD (8188 * 256)
@@ -414,41 +415,6 @@ static void keys_of_clipped_triangles_under_all_mappings(void **state)
 
 /* ---- 19, 20: separation --------------------------------------------------------------------- */
 
-#define LAYER_Z (1 << 26) /* world units: a bucket is a thousand of them or more */
-
-struct layers { /* two squares that face the camera and more than fill the frame */
-    struct zs_mesh mesh;
-    struct zs_material material[2];
-    struct zs_instance in[2]; /* the farther one first: it wins ties */
-    struct zs_scene scene;
-};
-
-static void layers_set(struct layers *l, int32_t z_near, int32_t z_far)
-{
-    static const int16_t pos[4][3] = {
-        { -32000, -32000, 0 }, { 32000, -32000, 0 }, { 32000, 32000, 0 }, { -32000, 32000, 0 }
-    };
-    static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
-    memset(l, 0, sizeof *l);
-    l->mesh.pos = pos;
-    l->mesh.tri = tri;
-    l->mesh.n_verts = 4;
-    l->mesh.n_tris = 2;
-    l->mesh.radius = 46000;
-    l->mesh.scale = (zs_uq16_16)((LAYER_Z / 32000) << 16);
-    for (int k = 0; k < 2; k++) {
-        l->material[k].shader = &zs_shade_raw;
-        l->material[k].rgb.g = k ? 255 : 0;
-        l->material[k].rgb.r = k ? 0 : 255;
-        l->in[k].mesh = &l->mesh;
-        l->in[k].material = &l->material[k];
-        zs_pose_identity(&l->in[k].pose);
-        l->in[k].pose.pos[2] = k ? -z_near : -z_far;
-    }
-    l->scene.instance = l->in;
-    l->scene.n_instances = 2;
-}
-
 /* How far one square must be before the other for their keys to differ by `buckets`. */
 static int32_t gap_of(const struct oracle_view *v, int32_t z, double buckets, int mapping, int bits)
 {
@@ -468,13 +434,13 @@ static uint32_t pairs_swapped, pairs_drawn;
 
 static int layers_case(uint64_t seed)
 {
-    static struct layers l;
+    static struct two_layers l;
     struct prng p = { seed };
     const uint32_t which = (uint32_t)(seed % MAPPINGS);
     const int mapping = oracle_mapping(mappings[which]), close = (int)(seed / MAPPINGS % 2);
     const int bits = prng_pick(&p, 2) ? 16 : prng_range(&p, 8, 16);
     const double ratio = pow(10, 1 + prng_pick(&p, 1025) / 256.0);
-    const int32_t z = LAYER_Z + (int32_t)prng_pick(&p, 1 << 20);
+    const int32_t z = TWO_LAYERS_Z + (int32_t)prng_pick(&p, 1 << 20);
     /* anywhere from near to far */
     const int32_t near = (int32_t)fmax(64, z / pow(ratio, prng_pick(&p, 1025) / 1024.0));
     struct zs_camera camera;
@@ -487,7 +453,7 @@ static int layers_case(uint64_t seed)
     const double key = oracle_key(&v, z, mapping, bits);
     if (key < buckets + 0.1 || key > ldexp(1, bits) - 2.6)
         return 1; /* before near, or saturated */
-    layers_set(&l, z - gap_of(&v, z, buckets, mapping, bits), z);
+    two_layers_set(&l, z - gap_of(&v, z, buckets, mapping, bits), z);
     struct zs_config config = lone_config(CLIP_W, CLIP_H, mappings[which]);
     config.depth_bits = (uint8_t)bits;
     struct picture both = picture_draw(&config, &l.scene, &camera);
@@ -631,6 +597,8 @@ static int pair_case(uint64_t seed)
 /* ---- States: one triangle after another ----------------------------------------------------- */
 
 #define CROWD 40
+
+static unsigned crowd_pixels; /* drawn */
 #define N_STATES 12
 
 static struct zs_depth_state random_state(struct prng *p, int32_t most, int slopes)
@@ -714,21 +682,14 @@ static int state_crowd_case(uint64_t seed)
                     model_draw(&m, own, key[k], own ? own->bias : 0, most, (uint16_t)(k + 1));
             }
             const int at = j * s.width + i;
+            crowd_pixels += m.color != 0;
             if (f.key[at] != m.key || f.color[at] != m.color)
                 ok = case_wrong("%s, %d bits: (%d, %d) is colour %u key %u, not %u %u",
                                 mapping_names[seed % MAPPINGS], s.depth_bits, i, j, f.color[at],
                                 f.key[at], m.color, m.key);
         }
-    pixels_compared += (uint64_t)s.width * (uint64_t)s.height * CROWD;
     easel_free(&f);
     return ok;
-}
-
-static void states_one_triangle_after_another(void **state)
-{
-    pixels_compared = 0;
-    CASES(state_crowd_case, 120);
-    print_message("states: %llu pixels compared\n", (unsigned long long)pixels_compared);
 }
 
 /* slope / 256 times the larger of the changes of the key by one pixel right and down, by the
@@ -755,7 +716,6 @@ static long double slope_offset(const struct easel *s, const struct easel_frame 
 }
 
 static uint32_t slopes_seen;
-static double worst_slope;
 
 static int slope_case(uint64_t seed)
 {
@@ -808,24 +768,11 @@ static int slope_case(uint64_t seed)
                                      : fabsl(change - wanted) > 1.5L + doubt))
             ok = wrong_at(&s, &t, i % s.width, i / s.width, "stopped at an end, offset", change) +
                  case_wrong("not %.4Lf: key %u became %u", wanted, plain.key[i], f.key[i]);
-        if (!at_end && state.slope_bias) {
-            slopes_seen++;
-            worst_slope = fmax(worst_slope, (double)fabsl(change - wanted));
-        }
+        slopes_seen += !at_end && state.slope_bias;
     }
     easel_free(&plain);
     easel_free(&f);
     return ok;
-}
-
-static void offsets_and_slopes_in_buckets(void **state)
-{
-    slopes_seen = 0;
-    worst_slope = 0;
-    CASES(slope_case, 1500);
-    print_message("slopes: %u pixels, offsets at most %.4f buckets from the exact one\n",
-                  slopes_seen, worst_slope);
-    assert_true(slopes_seen > 10000);
 }
 
 /* ---- States through the whole pipeline ------------------------------------------------------ */
@@ -1042,14 +989,9 @@ static int plain_state_case(uint64_t seed)
     shape_torus(&shape[1], 12, 9, 8000, 3000);
     shape_ground(&shape[2], 8, 30000, 500, seed);
     struct zs_material material[3];
-    struct zs_instance in[3];
-    memset(in, 0, sizeof in);
+    struct zs_instance in[3] = { 0 };
     for (uint32_t n = 0; n < 3; n++) {
-        for (uint32_t v = 0; v < shape[n].mesh.n_verts; v++)
-            for (int c = 0; c < 2; c++)
-                uv[n][v][c] = (int16_t)prng_range(&p, -8192, 8192);
-        shape[n].mesh.uv = (const int16_t(*)[2])uv[n];
-        shape[n].mesh.uv_bits = 12;
+        shape_uv(&shape[n], uv[n], &p, 8192, 12);
         const struct zs_material m = {
             .shader = shaders[prng_pick(&p, 6)], .rgb = { 200, 100, 50 }, .cull = (uint8_t)prng_pick(&p, 3),
             .texture = &texture
@@ -1069,9 +1011,7 @@ static int plain_state_case(uint64_t seed)
     (void)zs_camera_perspective(&camera, 10000, 60, 200, 60000);
     struct zs_config config = picture_config(80, 60, mappings[which]);
     struct picture plain = picture_draw(&config, &scene, &camera);
-    int ok = !plain.err && plain.covered > 100;
-    if (!ok)
-        (void)case_wrong("error %d, %u pixels", plain.err, plain.covered);
+    int ok = picture_shows(&plain, 100);
     for (int way = 0; way < 6 && ok; way++) {
         struct zs_config c = config;
         for (uint32_t n = 0; n < 3; n++)
@@ -1134,8 +1074,8 @@ static const struct CMUnitTest tests[] = {
     CASES_COUNTS(stress_19_20_pairs_of_any_planes_under_all_mappings, pair_case, 500,
                  { "pixels of two planes", &pairs_drawn, 4000000 },
                  { "the wrong way round within 1.01 buckets", &pairs_swapped, 100000 }),
-    cmocka_unit_test(states_one_triangle_after_another),
-    cmocka_unit_test(offsets_and_slopes_in_buckets),
+    CASES_COUNT(states_one_triangle_after_another, state_crowd_case, 120, &crowd_pixels, 100000, "pixels drawn"),
+    CASES_COUNT(offsets_and_slopes_in_buckets, slope_case, 1500, &slopes_seen, 10000, "pixels of slopes"),
     CASES_TEST(states_in_scenes_whatever_the_pools, state_scene_case, 240),
     cmocka_unit_test(keys_bound_how_much_w_changes), cmocka_unit_test(float_takes_the_bits_that_far_asks_for),
     CASES_TEST(a_state_that_asks_for_nothing_is_none, plain_state_case, 100),

@@ -9,9 +9,9 @@
 #include "cases.h"
 #include "fast_lists.h"
 #include "method_needs.h"
-#include "../lab/fuzz/world.h"
 #include "own.h"
 #include "picture.h"
+#include "ways.h"
 #include "zs_method.h"
 
 /* How many random scenes; by hand 10,000 of each of the first two: CFLAGS or the command line say -DCUT_EXACT=10000 */
@@ -282,20 +282,10 @@ static unsigned again;
 /* Both methods show the same, and the same in any other way; single shaders may mix or leave pixels. */
 static int way_case(uint64_t seed)
 {
-    struct prng p = { seed };
-    static struct world w;
-    world_make(&w, &p, 0);
-    struct zs_config c = { .width = (uint16_t)prng_range(&p, 1, 40), .height = (uint16_t)prng_range(&p, 1, 20),
-                           .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
-                           .depth = &zs_depth_order };
-    c.method = any_method(&p);
-    struct zs_stats stats[2];
-    c.strip_h = c.height;
-    const int right = picture_ways_alike(&p, c, &w.scene, &w.camera, 2, 6, stats);
-    again += stats[1].passes > stats[1].strips;
-    splits += stats[0].splits;
-    world_free(&w);
-    return right;
+    static const struct ways of = { 40, 20, .depth = &zs_depth_order,
+                                    .method = { &zs_method_depthsort, &zs_method_coverage }, .again = &again,
+                                    .splits = &splits };
+    return ways_alike(seed, &of);
 }
 
 /* ---- What it costs ---------------------------------------------------------------------------- */
@@ -472,8 +462,9 @@ static void small_pools_and_other_mappings_are_refused(void **state)
     (void)state;
     for (int both = 0; both < 2; both++)
         for (int none = 0; none < 2; none++)
-            assert_method_needs(both ? &zs_method_coverage : &zs_method_depthsort, &zs_depth_order,
-                                none ? &zs_depth_none : &zs_depth_linear, 2);
+            assert_method_needs(&(struct method_needs){ both ? &zs_method_coverage : &zs_method_depthsort,
+                                                        &zs_depth_order, none ? &zs_depth_none : &zs_depth_linear,
+                                                        2 });
 }
 
 static const struct CMUnitTest tests[] = {

@@ -9,9 +9,9 @@
 #include "cases.h"
 #include "fast_lists.h"
 #include "method_needs.h"
-#include "../lab/fuzz/world.h"
 #include "own.h"
 #include "picture.h"
+#include "ways.h"
 #include "zs_method.h"
 
 /* ---- Against single triangles ----------------------------------------------------------------- */
@@ -22,19 +22,10 @@ static int16_t pos[TRIS * 3][3];
 static uint16_t corners[TRIS][3], color[TRIS];
 static const uint16_t one[1][3] = { { 0, 1, 2 } };
 
-static int32_t distance(uint32_t t)
-{
-    int32_t z = 0;
-    for (int k = 0; k < 3; k++)
-        if (-pos[3 * t + (uint32_t)k][2] > z)
-            z = -pos[3 * t + (uint32_t)k][2];
-    return z;
-}
-
 static int far_first(const void *a, const void *b)
 {
     const uint32_t ta = *(const uint32_t *)a, tb = *(const uint32_t *)b;
-    const int32_t da = distance(ta), db = distance(tb);
+    const int32_t da = ways_distance(pos, ta), db = ways_distance(pos, tb);
     return da != db ? (da < db) - (da > db) : (ta > tb) - (ta < tb);
 }
 
@@ -94,33 +85,17 @@ static unsigned again;
 
 static int way_case(uint64_t seed)
 {
-    struct prng p = { seed };
-    static struct world w;
-    world_make(&w, &p, 0);
-    struct zs_config c = { .width = (uint16_t)prng_range(&p, 1, 90), .height = (uint16_t)prng_range(&p, 1, 70),
-                           .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
-                           .depth = &zs_depth_none, .method = &zs_method_painter };
-    struct zs_stats stats[2];
-    c.strip_h = c.height;
-    const int right = picture_ways_alike(&p, c, &w.scene, &w.camera, 2, 6, stats);
-    again += stats[1].passes > stats[1].strips;
-    world_free(&w);
-    return right;
-}
-
-/* ---- What is refused ------------------------------------------------------------------------- */
-
-static void small_pools_and_depth_memory_are_refused(void **state)
-{
-    (void)state;
-    assert_method_needs(&zs_method_painter, &zs_depth_none, &zs_depth_float, 2);
+    static const struct ways of = { 90, 70, .depth = &zs_depth_none, .method = { &zs_method_painter },
+                                    .again = &again };
+    return ways_alike(seed, &of);
 }
 
 static const struct CMUnitTest tests[] = {
     CASES_COUNTS(is_that_of_single_triangles, single_case, 300,
                  { "walks", &walks, 10000 }, { "triangles drawn", &sets_drawn, 5000 }),
     CASES_COUNTS(is_the_same_in_any_way, way_case, 200, { "scenes in several walks", &again, 50 }),
-    cmocka_unit_test(small_pools_and_depth_memory_are_refused)
+    METHOD_NEEDS_TEST(small_pools_and_depth_memory_are_refused,
+                      &zs_method_painter, &zs_depth_none, &zs_depth_float, 2)
 };
 
 CASES_MAIN(tests)

@@ -275,12 +275,6 @@ static void shadows_and_mirrors(void **state)
 
 /* ---- What is refused ------------------------------------------------------------------------- */
 
-static void small_pools_and_no_depth_memory_are_refused(void **state)
-{
-    (void)state;
-    assert_method_needs(&zs_method_raycast, &zs_depth_float, &zs_depth_none, 4);
-}
-
 /* By every method: boxes of rays lie behind the pools, in what the triangle pool has given up. */
 static void an_arena_that_is_short_by_a_byte_is_refused(void **state)
 {
@@ -308,7 +302,8 @@ static const struct CMUnitTest tests[] = {
     CASES_TEST(layers_are_those_of_the_depth_buffer, layers_case, 60),
     cmocka_unit_test(rays_of_doubles_see_what_the_reference_sees),
     cmocka_unit_test(shadows_and_mirrors),
-    cmocka_unit_test(small_pools_and_no_depth_memory_are_refused)
+    METHOD_NEEDS_TEST(small_pools_and_no_depth_memory_are_refused,
+                      &zs_method_raycast, &zs_depth_float, &zs_depth_none, 4)
 };
 
 CASES_MAIN(tests)

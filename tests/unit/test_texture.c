@@ -529,14 +529,25 @@ static void colors_print(const char *what)
         100.0 * (double)colors.one_off / fmax((double)colors.values, 1), colors.worst, psnr());
 }
 
-/* Cases whose colours are those of doubles, as far as 50 dB tell. */
-static void colors_close(const char *test, case_fn *fn, uint64_t n, const char *name)
+/* A row of tests: cases whose colours are those of doubles, as far as 50 dB tell. */
+struct colors_cases {
+    const char *test;
+    case_fn *fn;
+    uint64_t n;
+    const char *what;
+};
+
+static void colors_test(void **state)
 {
+    const struct colors_cases *const c = *state;
     memset(&colors, 0, sizeof colors);
-    cases_run(test, fn, n);
-    colors_print(name);
+    cases_run(c->test, c->fn, c->n);
+    colors_print(c->what);
     assert_true(psnr() >= 50);
 }
+
+#define COLORS_TEST(name_, ...) \
+    { .name = #name_, .test_func = colors_test, .initial_state = &(struct colors_cases){ #name_, __VA_ARGS__ } }
 
 /* Smooth light over a texture: texel times light, of exactly known geometry. Constant texels, so
  * that light alone counts; then the texel that unlit shading takes. */
@@ -595,11 +606,6 @@ static int smooth_light_case(uint64_t seed)
     easel_free(&lit);
     easel_free(&plain);
     return ok;
-}
-
-static void light_over_a_texture_against_doubles(void **state)
-{
-    colors_close(__func__, smooth_light_case, 900, "smooth light over texels");
 }
 
 /* Lit by exactly 1 it is the texel, exactly. */
@@ -1095,11 +1101,6 @@ static int flat_light_case(uint64_t seed)
     return ok;
 }
 
-static void flat_light_over_a_texture_against_doubles(void **state)
-{
-    colors_close(__func__, flat_light_case, 500, "flat light over texels");
-}
-
 /* One picture whatever strips, buffers, pools and skips. */
 static int invariance_case(uint64_t seed)
 {
@@ -1122,14 +1123,9 @@ static int invariance_case(uint64_t seed)
         shape_torus(&shape[0], 14, 10, 8000, 3500);
     shape_ground(&shape[1], 6, 30000, 400, seed);
     struct zs_material material[2];
-    struct zs_instance in[2];
-    memset(in, 0, sizeof in);
+    struct zs_instance in[2] = { 0 };
     for (uint32_t n = 0; n < 2; n++) {
-        for (uint32_t v = 0; v < shape[n].mesh.n_verts; v++)
-            for (int axis = 0; axis < 2; axis++)
-                uv[n][v][axis] = (int16_t)prng_range(&p, -12000, 12000);
-        shape[n].mesh.uv = (const int16_t(*)[2])uv[n];
-        shape[n].mesh.uv_bits = (uint8_t)prng_range(&p, 8, 15);
+        shape_uv(&shape[n], uv[n], &p, 12000, (uint8_t)prng_range(&p, 8, 15));
         const struct zs_material m = {
             .shader = shaders[prng_pick(&p, 3)], .cull = (uint8_t)prng_pick(&p, 3), .texture = &texture
         };
@@ -1152,9 +1148,7 @@ static int invariance_case(uint64_t seed)
     const struct zs_config config = picture_config(80, 60,
                                                    ortho ? &zs_depth_linear : mappings[seed % 6]);
     struct picture plain = picture_draw(&config, &scene, &camera);
-    int ok = !plain.err && plain.covered > 100;
-    if (!ok)
-        (void)case_wrong("error %d, %u pixels", plain.err, plain.covered);
+    int ok = picture_shows(&plain, 100);
     for (int way = 0; way < 5 && ok; way++) {
         struct zs_config c = config;
         c.strip_h = (uint16_t)prng_range(&p, 1, 60);
@@ -1297,7 +1291,8 @@ static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w
                                            cmocka_unit_test(stress_27_uv_at_a_w_ratio_of_16),
                                            cmocka_unit_test(sizes_from_1_to_1024),
                                            cmocka_unit_test(repeat_and_clamp_to_the_texel),
-                                           cmocka_unit_test(light_over_a_texture_against_doubles),
+                                           COLORS_TEST(light_over_a_texture_against_doubles, smooth_light_case, 900,
+                                                       "smooth light over texels"),
                                            CASES_TEST(full_light_is_no_light, full_light_case, 200),
                                            cmocka_unit_test(moved_by_whole_pixels_the_same_texels),
                                            cmocka_unit_test(mirrored_the_same_texels),
@@ -1306,8 +1301,8 @@ static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w
                                            cmocka_unit_test(texel_gradients_are_rounded_once),
                                            cmocka_unit_test(small_ones_in_one_go_the_same),
                                            cmocka_unit_test(clipped_at_near_u_and_v_stay),
-                                           cmocka_unit_test(
-                                               flat_light_over_a_texture_against_doubles),
+                                           COLORS_TEST(flat_light_over_a_texture_against_doubles, flat_light_case, 500,
+                                                       "flat light over texels"),
                                            CASES_TEST(textured_whatever_strips_and_pools, invariance_case, 120),
                                            CASES_TEST(level_floors, level_case, 900),
                                            cmocka_unit_test(runs_do_not_tell_where_they_begin),

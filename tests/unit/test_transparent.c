@@ -11,6 +11,7 @@
 #include "method_needs.h"
 #include "own.h"
 #include "picture.h"
+#include "ways.h"
 #include "zs_blend.h"
 #include "zs_lines.h"
 #include "zs_method.h"
@@ -33,20 +34,11 @@ static int is_layer(uint32_t t)
     return material[of_material[t]].material.shader->layer;
 }
 
-static int32_t distance(uint32_t t)
-{
-    int32_t z = 0;
-    for (int k = 0; k < 3; k++)
-        if (-pos[3 * t + (uint32_t)k][2] > z)
-            z = -pos[3 * t + (uint32_t)k][2];
-    return z;
-}
-
 /* Opaque ones in scene order, then layers from far to near. */
 static int in_order(const void *a, const void *b)
 {
     const uint32_t ta = *(const uint32_t *)a, tb = *(const uint32_t *)b;
-    const int32_t da = distance(ta), db = distance(tb);
+    const int32_t da = ways_distance(pos, ta), db = ways_distance(pos, tb);
     if (is_layer(ta) != is_layer(tb))
         return is_layer(ta) - is_layer(tb);
     if (is_layer(ta) && da != db)
@@ -144,7 +136,7 @@ static int single_case(uint64_t seed)
 static int far_first(const void *a, const void *b)
 {
     const uint32_t ta = *(const uint32_t *)a, tb = *(const uint32_t *)b;
-    const int32_t da = distance(ta), db = distance(tb);
+    const int32_t da = ways_distance(pos, ta), db = ways_distance(pos, tb);
     return da != db ? (da < db) - (da > db) : (ta > tb) - (ta < tb);
 }
 
@@ -185,20 +177,9 @@ static unsigned again;
 
 static int way_case(uint64_t seed)
 {
-    struct prng p = { seed };
-    static struct world w;
-    world_make(&w, &p, 0);
-    world_layers(&w, &p);
-    struct zs_config c = { .width = (uint16_t)prng_range(&p, 1, 90), .height = (uint16_t)prng_range(&p, 1, 70),
-                           .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
-                           .depth = w.camera.projection ? &zs_depth_linear : &zs_depth_float,
-                           .method = &zs_method_transparent };
-    struct zs_stats stats[2];
-    c.strip_h = c.height;
-    const int right = picture_ways_alike(&p, c, &w.scene, &w.camera, 2, 6, stats);
-    again += stats[1].passes > stats[1].strips;
-    world_free(&w);
-    return right;
+    static const struct ways of = { 90, 70, .depth = &zs_depth_float, .ortho = &zs_depth_linear,
+                                    .method = { &zs_method_transparent }, .more = world_layers, .again = &again };
+    return ways_alike(seed, &of);
 }
 
 /* Leave junk where a strip's state was on the stack. */
@@ -389,24 +370,9 @@ static void faces_that_cross_need_depth_sort(void **state)
 /* Layers in random worlds by depth sort: the same for any pools, down to rectangles of a pixel. */
 static int depthsort_case(uint64_t seed)
 {
-    struct prng p = { seed };
-    static struct world w;
-    world_make(&w, &p, 0);
-    world_layers(&w, &p);
-    struct zs_config c = picture_config(prng_range(&p, 1, 12), prng_range(&p, 1, 9), &zs_depth_order);
-    c.varyings = ZS_VARYINGS_MAX;
-    c.method = &zs_method_depthsort;
-    const int right = picture_ways_alike(&p, c, &w.scene, &w.camera, 2, 6, NULL);
-    world_free(&w);
-    return right;
-}
-
-/* ---- What is refused ------------------------------------------------------------------------- */
-
-static void small_pools_and_no_depth_memory_are_refused(void **state)
-{
-    (void)state;
-    assert_method_needs(&zs_method_transparent, &zs_depth_float, &zs_depth_none, 2);
+    static const struct ways of = { 12, 9, .depth = &zs_depth_order, .method = { &zs_method_depthsort },
+                                    .more = world_layers };
+    return ways_alike(seed, &of);
 }
 
 static const struct CMUnitTest tests[] = {
@@ -419,7 +385,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_43_thousands_of_layers),
     cmocka_unit_test(faces_that_cross_need_depth_sort),
     CASES_TEST(depth_sort_blends_the_same_in_any_way, depthsort_case, 15),
-    cmocka_unit_test(small_pools_and_no_depth_memory_are_refused),
+    METHOD_NEEDS_TEST(small_pools_and_no_depth_memory_are_refused,
+                      &zs_method_transparent, &zs_depth_float, &zs_depth_none, 2),
 };
 
 CASES_MAIN(tests)

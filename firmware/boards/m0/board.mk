@@ -6,6 +6,6 @@ BOARD_IMAGES =
 BOARD_FLAGS = -DHAL_TICK_INSTRUCTIONS=0
 BOARD_HAL = mps2
 BOARD_SRC := $(filter-out hal/spi/spi_bus.c hal/cortexm/board.c,$(BOARD_SRC)) hal/cortexm/systick.c hal/null/bus.c \
-             hal/cortexm/semihost.c
+             hal/cortexm/semihost.c hal/semihosting/semihosting.c
 BOARD_LD = firmware/boards/microbit/microbit.ld
 BOARD_RUN = qemu-system-arm -M microbit $(QEMU_COUNTS)

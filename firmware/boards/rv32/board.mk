@@ -4,7 +4,8 @@ BOARD_ABOUT = RISC-V in QEMU (virt, rv32imc), to count instructions; no panel
 BOARD_CC = riscv64-unknown-elf-gcc
 BOARD_CPU = -march=rv32imc -mabi=ilp32 -msmall-data-limit=0 --specs=picolibc.specs
 BOARD_HAL = rv32
-BOARD_SRC = firmware/boards/rv32/startup.c hal/null/bus.c hal/stack/stack.c
+BOARD_SRC = firmware/boards/rv32/startup.c hal/null/bus.c hal/semihosting/semihosting.c \
+            hal/stack/stack.c
 BOARD_DEPS = firmware/boards/rv32/rv32.ld firmware/boards/cortexm/sections.ld
 BOARD_LINK = -T firmware/boards/rv32/rv32.ld -Lfirmware/boards -nostartfiles
 BOARD_FLASH = 4194304

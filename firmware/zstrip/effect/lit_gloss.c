@@ -10,6 +10,10 @@
  */
 #include "effect/gloss.h"
 
+#define GLOSS(of, n)                                                                               \
+    .vertex = of##_vertex, .start = of##_start, .run = of##_run, .check = zs_lit_texture_check,    \
+    .n_varyings = (n), .opaque = 1
+
 /* ---- By luminance ---------------------------------------------------------------------------- */
 
 #if ZS_VARYINGS_MAX >= 4
@@ -78,14 +82,9 @@ static void gloss_run(struct zs_job *job, const struct zs_row *row, int32_t from
     }
 }
 
-const struct zs_shader zs_shade_texture_gloss = {
-    .vertex = gloss_vertex, .start = gloss_start, .run = gloss_run,
-    .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_GLOSS, .opaque = 1
-};
+const struct zs_shader zs_shade_texture_gloss = { GLOSS(gloss, ZS_VARYINGS_TEXTURE_GLOSS) };
 #else
-const struct zs_shader zs_shade_texture_gloss = {
-    .run = zs_texture_run, .n_varyings = ZS_VARYINGS_TEXTURE_GLOSS
-};
+const struct zs_shader zs_shade_texture_gloss = ZS_GLOSS_REFUSED(ZS_VARYINGS_TEXTURE_GLOSS);
 #endif
 
 /* ---- By channel ------------------------------------------------------------------------------ */
@@ -124,11 +123,9 @@ static void tinted_run(struct zs_job *job, const struct zs_row *row, int32_t fro
 }
 
 const struct zs_shader zs_shade_texture_gloss_tinted = {
-    .vertex = tinted_vertex, .start = tinted_start, .run = tinted_run,
-    .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_GLOSS_TINTED, .opaque = 1
+    GLOSS(tinted, ZS_VARYINGS_TEXTURE_GLOSS_TINTED)
 };
 #else
-const struct zs_shader zs_shade_texture_gloss_tinted = {
-    .run = zs_texture_run, .n_varyings = ZS_VARYINGS_TEXTURE_GLOSS_TINTED
-};
+const struct zs_shader zs_shade_texture_gloss_tinted =
+    ZS_GLOSS_REFUSED(ZS_VARYINGS_TEXTURE_GLOSS_TINTED);
 #endif

@@ -73,8 +73,6 @@ const struct zs_shader zs_shade_texture_phong = {
     .vertex = pixel_vertex, .face = zs_phong_face, .start = pixel_start, .run = pixel_run,
     .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_PHONG, .opaque = 1
 };
-#else /* refused, ZS_ERR_VARYINGS, wherever it is used */
-const struct zs_shader zs_shade_texture_phong = {
-    .run = zs_texture_run, .n_varyings = ZS_VARYINGS_TEXTURE_PHONG
-};
+#else
+const struct zs_shader zs_shade_texture_phong = ZS_GLOSS_REFUSED(ZS_VARYINGS_TEXTURE_PHONG);
 #endif

@@ -46,11 +46,9 @@ static int matcap_check(const struct zs_instance *in, const struct zs_config *co
     const struct zs_texture *const t = in->material->texture;
     const uint32_t bits = in->mesh->uv_bits;
     (void)config;
-    if (!t || !t->format || !t->texel || (t->format->colors_max && !t->palette))
-        return ZS_ERR_NULL;
-    if (t->log2_w > ZS_TEXTURE_LOG2_MAX || t->log2_h > ZS_TEXTURE_LOG2_MAX ||
-        t->log2_w + t->format->log2_bits < 3 || t->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
-        return ZS_ERR_TEXTURE;
+    const int err = zs_texture_error(t);
+    if (err)
+        return err;
     return in->mesh->normal && bits <= 15 && bits > zs_maxu32(t->log2_w, t->log2_h) ? ZS_OK
                                                                                     : ZS_ERR_MESH;
 }

@@ -74,13 +74,10 @@ uint16_t zs_texture_lit_face(const struct zs_shading *s, uint32_t t)
 
 int zs_texture_usable(const struct zs_instance *in, const struct zs_config *config)
 {
-    const struct zs_texture *t = in->material->texture;
+    const int err = zs_texture_error(in->material->texture);
     (void)config;
-    if (!t || !t->format || !t->texel || (t->format->colors_max && !t->palette))
-        return ZS_ERR_NULL;
-    if (t->log2_w > ZS_TEXTURE_LOG2_MAX || t->log2_h > ZS_TEXTURE_LOG2_MAX ||
-        t->log2_w + t->format->log2_bits < 3 || t->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
-        return ZS_ERR_TEXTURE;
+    if (err)
+        return err;
     return in->mesh->uv && in->mesh->uv_bits <= 15 ? ZS_OK : ZS_ERR_MESH;
 }
 

@@ -29,6 +29,17 @@ struct zs_texel {
     void (*both)(const struct zs_texture *, uint16_t *out, int32_t n, const struct zs_walk *walk);
 };
 
+/* Return ZS_OK, or why the shaders cannot read a texture. */
+static inline int zs_texture_error(const struct zs_texture *t)
+{
+    if (!t || !t->format || !t->texel || (t->format->colors_max && !t->palette))
+        return ZS_ERR_NULL;
+    if (t->log2_w > ZS_TEXTURE_LOG2_MAX || t->log2_h > ZS_TEXTURE_LOG2_MAX ||
+        t->log2_w + t->format->log2_bits < 3 || t->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
+        return ZS_ERR_TEXTURE;
+    return ZS_OK;
+}
+
 #define ZS_TEXTURE_GROUP_LOG2                                                                      \
     5                          /* log2 of a group's pixels: affine, or divided one by one */
 #define ZS_TEXTURE_BIAS_LOG2 9 /* 2^-9 texel is added to coordinates (shade/texture.c) */

@@ -110,9 +110,7 @@ static void mutate(struct file *f, struct prng *p)
 static void run_case(unsigned long long seed, unsigned long long number, int keep)
 {
     static struct file f;
-    struct prng p = { seed * 0x9e3779b97f4a7c15u ^ number };
-    replay_case(number, 60);
-    (void)prng_next(&p);
+    struct prng p = input_case(seed, number);
     card_make(&f, &p);
     for (uint32_t n = one_in(&p, 4) ? 0 : 1u << prng_pick(&p, 6); n > 0; n--)
         mutate(&f, &p);

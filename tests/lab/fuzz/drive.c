@@ -123,9 +123,7 @@ static void mutate(struct input *f, struct prng *p)
 static void run_case(unsigned long long seed, unsigned long long number, int keep)
 {
     static struct input f;
-    struct prng p = { seed * 0x9e3779b97f4a7c15u ^ number };
-    replay_case(number, 60);
-    (void)prng_next(&p);
+    struct prng p = input_case(seed, number);
     f = seeds[number <= n_seeds ? number - 1 : prng_pick(&p, n_seeds)]; /* first each as it is */
     for (uint32_t n = number <= n_seeds ? 0 : 1u << prng_pick(&p, 5); n > 0; n--)
         mutate(&f, &p);

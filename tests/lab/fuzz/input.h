@@ -8,6 +8,18 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "prng.h"
+#include "replay.h"
+
+/* A case begins: the generator that makes it. */
+static inline struct prng input_case(unsigned long long seed, unsigned long long number)
+{
+    struct prng p = { seed * 0x9e3779b97f4a7c15u ^ number };
+    replay_case(number, 60);
+    (void)prng_next(&p);
+    return p;
+}
+
 /* Run the target on them, in a block of exactly their size, so that reading beyond is seen. */
 void input_run(const uint8_t *byte, size_t size);
 /* 0; 1 after a sentence on stderr: it cannot be written. */

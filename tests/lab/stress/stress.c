@@ -12,7 +12,6 @@
  * SPDX-License-Identifier: MIT
  */
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +21,6 @@
 #include "fast_lists.h"
 #include "replay.h"
 #include "stress.h"
-#include "wrong.h"
 #include "zs_damage.h"
 #include "zstrip.h"
 
@@ -30,15 +28,6 @@
 #define SAVE_SECONDS 20
 #define FINDINGS_MAX 20  /* then a run ends */
 #define LINES_MAX 200
-
-int stress_wrong(const char *format, ...)
-{
-    va_list args;
-    va_start(args, format);
-    const int none = wrong_said("\n", format, args);
-    va_end(args);
-    return none;
-}
 
 static volatile sig_atomic_t stopped;
 
