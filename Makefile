@@ -1,7 +1,7 @@
 # zstrip. Everything lands in build/. `make help` lists what users want, `make help-all` the rest.
 CC = gcc
 B = build
-CFLAGS = -O2 -g
+CFLAGS = -O2 -g1
 WARN = -Wall -Wextra -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
 # In tests a warning is an error, here and in firmware.mk; in other builds not, where another compiler may have more

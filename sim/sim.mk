@@ -31,8 +31,9 @@ pictures: sim
 
 .PHONY: view report pictures study-variants linux-sources
 
-# The renderer for programs of this machine that only use it: the generator of meshes, and those of tests
-CORE_CC = $(CC) -std=c11 $(CFLAGS) $(WARN) -Ifirmware/zstrip
+# The renderer for programs of this machine that only use it: the generator of meshes, and those of tests. They run for
+# less time than -O2 takes to compile
+CORE_CC = $(CC) -std=c11 -O1 $(WARN) -Ifirmware/zstrip
 CORE_NOTE := $(call note,$(B)/core/cc,$(CORE_CC))
 $(B)/core/%.o: %.c $(CORE_NOTE)
 	@mkdir -p $(@D)

@@ -8,7 +8,8 @@
  * What a board has memory for is given by the compiler's -D; none of it changes a checksum:
  *   SUMS_ROWS     rows of a strip
  *   SUMS_ARENA    bytes; what strips leave of it is for pools
- *   SUMS_SCENE    one scene, and its meshes alone in the image; without it all that fall on
+ *   SUMS_SCENE    one scene, and its meshes alone in the image; SUMS_SCENES: SUMS_ONE(scene) for each of several;
+ *                 without them all that fall on
  *   SUMS_PART     of SUMS_PARTS
  *   SUMS_PIECES   1: two frames of each showpiece instead
  *   SUMS_PIXELS   SUMS_BAND(scene, frame, bits, y) once or more: of each such band its pixels instead, a line of
@@ -29,6 +30,9 @@
 #endif
 #ifndef SUMS_ARENA
 #define SUMS_ARENA (3u << 20)
+#endif
+#ifdef SUMS_SCENE
+#define SUMS_SCENES SUMS_ONE(SUMS_SCENE)
 #endif
 #ifndef SUMS_PARTS
 #define SUMS_PARTS 1u
@@ -232,16 +236,19 @@ static int frames_of(const struct demo *d)
 
 static int run(void)
 {
-#ifdef SUMS_SCENE
+    int err = 0;
+#ifdef SUMS_SCENES
 #define JOIN(a, b) a##b
 #define OF(prefix, name) JOIN(prefix, name)
-    return frames_of(&OF(demo_, SUMS_SCENE));
+#define SUMS_ONE(scene) &OF(demo_, scene),
+    static const struct demo *const some[] = { SUMS_SCENES };
+    for (uint32_t i = 0; i < sizeof some / sizeof some[0]; i++)
+        err |= frames_of(some[i]);
 #else
-    int err = 0;
     for (uint32_t i = SUMS_PART; i < n_demos; i += SUMS_PARTS)
         err |= frames_of(demos[i]);
-    return err;
 #endif
+    return err;
 }
 #endif
 

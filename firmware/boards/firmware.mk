@@ -26,7 +26,7 @@ B = build
 LEAN = 0
 CORES = 1
 OPT = -O2
-DEBUG = -g
+DEBUG ?= -g
 OUT = $(B)/fw/$(BOARD)$(if $(filter 1,$(LEAN)),-lean)$(if $(filter 2,$(CORES)),-2)
 
 NAME = $(APP)

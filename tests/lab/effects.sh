@@ -11,6 +11,8 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
+. tests/lib/checksum_core.sh
+
 out=$top/effects
 record=tests/records/effects.txt
 mkdir -p "$out"
@@ -46,6 +48,8 @@ for core in M3 M0 host; do
         [ $core != M0 ] || set -- BOARD_CPU='-mcpu=cortex-m0 -mthumb' "$@"
         board=mps2
         [ $core != host ] || board=host
+        # shellcheck disable=SC2046
+        [ $core != host ] || set -- $(checksum_core "$top" gcc-O3) "$@"
         make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=$board NAME=effects \
             APP_SRC=tests/lab/effects/effects.c \
             APP_FLAGS=-Ifirmware/app DEFINES=-DZS_VARYINGS_MAX=8 B="$top" OUT="$top/fw/effects-$core" "$@"

@@ -26,16 +26,9 @@ if [ -n "${SUMS_PIECES:-}" ]; then
 fi
 SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')
 . tests/boards/image.sh
+. tests/lib/checksum_core.sh
 
 # ---- One column ------------------------------------------------------------------------------------------------
-
-# The renderer's objects of a checksum program (tests.mk), where it is there and no source is newer: a second compile by
-# the same compiler at the same level would say nothing new
-core_of() { # CHECKSUM-PROGRAM
-    program=$build/test/checksum-$1
-    [ -x "$program" ] && [ -z "$(find firmware/zstrip -name '*.[ch]' -newer "$program" | head -1)" ] || return 0
-    with="$with CORE_OBJ=$program.o DEFINES=-DZS_VARYINGS_MAX=8"
-}
 
 # Where a column is drawn: its board, what make is told besides, what memory the program takes
 column_is() { # COLUMN
@@ -45,15 +38,15 @@ column_is() { # COLUMN
         # clang's -Wconversion asks for more than gcc's
         board=host memory=
         with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion DEBUG="
-        core_of "${1%_*}-${1#*_}" ;;
+        with="$with $(checksum_core "$build" "${1%_*}-${1#*_}")" ;;
     ppc) # a program for Linux
         board=host memory= emulator=qemu-ppc-static
         with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1 DEBUG="
-        core_of powerpc-O2 ;;
+        with="$with $(checksum_core "$build" powerpc-O2)" ;;
     bare_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1 DEBUG=" ;;
     bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10688' with=LEAN=1 ;;
     bare_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
-    cortex_m0) # 16 KB of RAM; its flash takes a scene at a time, and the largest with the smaller code alone
+    cortex_m0) # 16 KB of RAM; its flash takes a few scenes at a time, and the largest with the smaller code alone
         board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10688'
         with="OPT=-Os OUT=$build/fw/m0_small DEBUG=" ;;
     cortex_m0plus) # the Pico's code, with the library's division, on the machine of the M3
@@ -65,6 +58,19 @@ column_is() { # COLUMN
     cortex_m7) board=mps2-m7 memory=-DSUMS_ROWS=240 ;;
     rv32) board=rv32 memory=-DSUMS_ROWS=60 ;;
     esac
+}
+
+# Lines of scenes that fit the Cortex-M0's flash together, those that share meshes above all; others are by themselves.
+TOGETHER='layers_btf layers_ftb layers_mixed cubes corridor slivers flyover knot city
+teapot mesh mesh_lit relief
+china globe
+mesh_tex_smooth mesh_tex_lit
+crowd_btf crowd_ftb'
+groups() {
+    echo "$TOGETHER"
+    for scene in $SCENES; do
+        echo "$TOGETHER" | tr ' ' '\n' | grep -qx "$scene" || echo "$scene"
+    done
 }
 
 firmware() { # NAME FLAGS GOAL
@@ -96,9 +102,13 @@ column() { # COLUMN [FILE]
     file=${2:-}
     {
         if [ "$board" = m0 ]; then
-            for scene in $SCENES; do
-                [ $kind = sums ] || grep -q "^$scene " "$file" || continue
-                say "${kind}_$scene" "-DSUMS_SCENE=$scene $(bands "$scene")"
+            groups | while read -r scenes; do
+                some=$(for scene in $scenes; do printf 'SUMS_ONE(%s)' "$scene"; done)
+                [ $kind = pixels ] || say "sums_${scenes%% *}" "-DSUMS_SCENES=\"$some\"" </dev/null
+                for scene in $scenes; do
+                    [ $kind = sums ] || ! grep -q "^$scene " "$file" ||
+                        say "pixels_$scene" "$(bands "$scene")" </dev/null
+                done
             done
         elif [ "$board/$kind" = pico/sums ]; then # the slowest: two at a time
             firmware sums_0 '-DSUMS_PART=0 -DSUMS_PARTS=2u' all

@@ -43,19 +43,28 @@ convert() { # TO INPUT OPTION...
     [ $status -eq 0 ] || wrong "status $status: $(head -c 300 stderr)"
     [ ! -s stderr ] || wrong "it talks in a pipe: $(head -c 300 stderr)"
     [ -s "$to/m.h" ] && [ -s "$to/m.c" ] || wrong "m.h or m.c is missing"
+    place_of "$to"
+}
+place_of() { # TO
+    to=$1
     place=$(sed -n 's/^ \* Positions *in the model.s units: \(.*\) + \([^ ]*\) \* n.*/\1 \2/p' "$to/m.h")
     place="$place $(sed -n 's/.*a unit of the model is \([^ ]*\) of them.*/\1/p' "$to/m.h")"
 }
-# Three compilers' warnings, then by the fourth a program of the converted file and the library, with sanitizers. The
-# file names the fields that it sets, which C++ takes since C++20; its header is for older C++ too.
-checked=' ' # checksums of files that these compilers have taken, without the line that says how they were made
+
+# Three compilers' warnings, then by the fourth a program of the converted file and the library, which has sanitizers.
+# The file names the fields that it sets, which C++ takes since C++20; its header is for older C++ too. The three take
+# each form of file once: what differs in numbers alone, and in how many rows an array has, has the same form. The
+# fourth takes all, and a number that does not fit is an error there.
+checked=' ' # checksums of forms
 compile() { # TO PROGRAM.c
-    this=$(sed 1d "$1/m.c" | cat - "$1/m.h" | sed '/^ *\/\* Made by/d' | cksum | tr ' ' -)
+    this=$(cat "$1/m.c" "$1/m.h" | sed 's/[0-9][0-9a-fx.]*/0/g; s/-0/0/g; s/"[^"]*"/""/g
+        s/{[ 0{},]*}/{ 0 }/g; s/0\(, 0\)*/0/g; /^ *\*/d; /^ *\/\*/d' | uniq | cksum | tr ' ' -)
     case $checked in *" $this "*) ;; *) syntax "$1" ;; esac
     checked="$checked$this "
     gcc -std=c11 -O0 -c -Wall -Wextra -Wpedantic -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
-        gcc -std=gnu11 -O0 -g1 $SAN -Wall -Wextra -Werror -DZS_VARYINGS_MAX=8 -I"$top/firmware/zstrip" -I"$1" \
-            "$top/tests/tools/convert/$2.c" "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 ||
+        gcc -std=gnu11 -O0 -c -Wall -Wextra -Werror -DZS_VARYINGS_MAX=8 -I"$top/firmware/zstrip" -I"$1" \
+            "$top/tests/tools/convert/$2.c" -o "$1/$2.o" >cc.log 2>&1 &&
+        gcc $SAN "$1/$2.o" "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 ||
         wrong "$(head -c 400 cc.log)"
 }
 syntax() { # TO
@@ -134,6 +143,10 @@ same_places() { # TO FILE.obj STEP-SHARE    coordinates to half a step, or a sha
 round_trip() { # NAME INPUT OPTION...
     begin "$1"
     convert "$@"
+    trip=$1
+    shift
+    printf '%s\t%s\n' "$trip" "$*" >>trips
+    set -- "$trip" "$@"
     compile "$1" probe
     same_flash "$1"
     sound "$1"
@@ -142,12 +155,18 @@ round_trip() { # NAME INPUT OPTION...
 }
 
 # One road: the frame of a program around the converted file is that of zsim render, bit by bit, in several views; and
-# zsim budget counts the bytes of the object.
+# zsim budget counts the bytes of the object. What a round trip has converted is not converted again.
 one_road() { # NAME INPUT OPTION...    options of render and convert alike
     begin "one_road_$1"
     road=road_$1
     shift
-    convert "$road" "$@"
+    same=$(awk -F '\t' -v what="$*" '$2 == what { print $1 }' trips)
+    if [ -n "$same" ]; then
+        road=$same
+        place_of "$road"
+    else
+        convert "$road" "$@"
+    fi
     compile "$road" same
     before=''
     for view in 0 1 2; do
@@ -176,7 +195,7 @@ one_road() { # NAME INPUT OPTION...    options of render and convert alike
     arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c -I"$top/firmware/zstrip" "$road/m.c" \
         -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
     linked=$(arm-none-eabi-size -A "$road/arm.o" | awk '/^\.(text|rodata|data|bss)/ { sum += $2 } END { print sum }')
-    z budget "$@" --csv
+    "$build/zsim" budget "$@" --csv >stdout 2>stderr || wrong "$(cat stderr)"
     is "scene data of zsim budget" "$(awk -F, '$1 == "flash_data" { print $2 }' stdout)" "$linked"
     note="frames$before; $linked bytes"
 }
