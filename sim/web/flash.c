@@ -10,6 +10,7 @@
 #include "answer.h"
 #include "demo_frame.h"
 #include "engine.h"
+#include "fnv1a.h"
 #include "shader_table.h"
 #include "show_model.h"
 #include "sim.h"
@@ -214,14 +215,6 @@ static int can_take(const struct sim_drawn_scene *d)
     return SIM_OK;
 }
 
-static uint64_t hashed(uint64_t h, const void *of, size_t bytes)
-{
-    const uint8_t *b = of;
-    for (size_t i = 0; i < bytes; i++)
-        h = (h ^ b[i]) * 1099511628211u;
-    return h;
-}
-
 /* What views change in instances: poses, scales, where lamps are, shadows on the floor. */
 static uint64_t hash_instances(const struct zs_scene *s)
 {
@@ -229,13 +222,13 @@ static uint64_t hash_instances(const struct zs_scene *s)
     for (uint32_t i = 0; i < s->n_instances; i++) {
         const struct zs_instance *in = &s->instance[i];
         const struct sim_shader_row *row = sim_shader_row_of(in->material->shader);
-        h = hashed(h, &in->pose, sizeof in->pose);
-        h = hashed(h, &in->mesh->scale, sizeof in->mesh->scale);
+        h = fnv1a(h, &in->pose, sizeof in->pose);
+        h = fnv1a(h, &in->mesh->scale, sizeof in->mesh->scale);
         if (in->material->shader == &zs_shade_shadow)
-            h = hashed(h, in->mesh->pos, sizeof *in->mesh->pos * in->mesh->n_verts);
+            h = fnv1a(h, in->mesh->pos, sizeof *in->mesh->pos * in->mesh->n_verts);
         if (row != NULL && row->material == SIM_MATERIAL_LIT) {
             const struct zs_lighting *l = ((const struct zs_lit_material *)(const void *)in->material)->lighting;
-            h = hashed(h, l->lamp, sizeof *l->lamp * l->n_lamps);
+            h = fnv1a(h, l->lamp, sizeof *l->lamp * l->n_lamps);
         }
     }
     return h;

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "fnv1a.h"
 #include "panel.h"
 #include "panel_model.h"
 
@@ -95,14 +96,6 @@ static struct tape record(const struct panel_config *config, uint16_t rows, cons
 
 /* ---- Playing it ---------------------------------------------------------------------------------------- */
 
-static uint64_t mix(uint64_t sum, const void *bytes, size_t n)
-{
-    const uint8_t *at = bytes;
-    for (size_t i = 0; i < n; i++)
-        sum = (sum ^ at[i]) * 1099511628211u;
-    return sum;
-}
-
 static uint64_t mix_picture(uint64_t sum, const struct pm_model *m, const struct pm_glass *glass)
 {
     static uint8_t rgb[64 * 1024];
@@ -110,7 +103,7 @@ static uint64_t mix_picture(uint64_t sum, const struct pm_model *m, const struct
     assert_true(n <= sizeof rgb);
     pm_picture(m, rgb, NULL);
     const struct pm_light light = pm_light(m);
-    return mix(mix(sum, rgb, n), &light, sizeof light);
+    return fnv1a(fnv1a(sum, rgb, n), &light, sizeof light);
 }
 
 /* All that can be noticed of a tape: one number. */
@@ -134,12 +127,12 @@ static uint64_t play(const struct tape *t, const struct pm_glass *glass)
         else
             pm_byte(m, (uint8_t)word, (word & DATA) != 0);
         const int lit = pm_lit(m);
-        sum = mix(sum, &lit, sizeof lit);
+        sum = fnv1a(sum, &lit, sizeof lit);
     }
     pm_end(m);
     const size_t n = pm_problems(m, &problem);
     for (size_t i = 0; i < n; i++)
-        sum = mix(sum, problem[i].text, strlen(problem[i].text));
+        sum = fnv1a(sum, problem[i].text, strlen(problem[i].text));
     pm_free(m);
     return sum;
 }

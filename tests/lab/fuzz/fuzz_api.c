@@ -25,6 +25,7 @@
 #include "fast_lists.h"
 #include "core/method.h"
 #include "effects.h"
+#include "fnv1a.h"
 #include "kinds.h"
 #include "picture.h"
 #include "replay.h"
@@ -415,14 +416,6 @@ struct room {
     uint64_t sum;
 };
 
-static uint64_t sum_bytes(const uint8_t *b, uint32_t n)
-{
-    uint64_t h = 14695981039346656037u;
-    for (uint32_t i = 0; i < n; i++)
-        h = (h ^ b[i]) * 1099511628211u;
-    return h;
-}
-
 /* The changed columns arrive; then the glass shows the strip's rows of the picture. */
 static int glass_right(struct desk *d, const struct picture *p, const struct zs_strip *s)
 {
@@ -462,9 +455,9 @@ static void strip_expect(const struct room *m, struct desk *d, const struct zs_s
     EXPECT(!drawn || d->loose || strip_right(&m->picture[d->open], s, d->columns));
     EXPECT(glass_right(d, &m->picture[d->open], s) || d->loose);
     if (d->last_whole && c->buffers == 2) /* the one before is still whole */
-        EXPECT(sum_bytes(d->last.px, d->last.n_bytes) == d->last_sum);
+        EXPECT(fnv1a(FNV1A_BASIS, d->last.px, d->last.n_bytes) == d->last_sum);
     d->last = *s;
-    d->last_sum = sum_bytes(s->px, s->n_bytes);
+    d->last_sum = fnv1a(FNV1A_BASIS, s->px, s->n_bytes);
     d->last_whole = drawn;
     d->given++;
     reached.strips++;
@@ -742,14 +735,14 @@ static int panel_submit(void *ctx, const struct zs_strip *s)
     strip_expect(at->m, at->d, s);
     at->lent++;
     at->strip = *s;
-    at->sum = sum_bytes(s->px, s->n_bytes);
+    at->sum = fnv1a(FNV1A_BASIS, s->px, s->n_bytes);
     return 0;
 }
 
 static int panel_wait(void *ctx)
 {
     struct panel *at = ctx;
-    EXPECT(at->lent == 1 && sum_bytes(at->strip.px, at->strip.n_bytes) == at->sum);
+    EXPECT(at->lent == 1 && fnv1a(FNV1A_BASIS, at->strip.px, at->strip.n_bytes) == at->sum);
     at->lent--;
     return ++at->waits == at->bad_wait ? -1001 : 0;
 }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fnv1a.h"
 #include "kinds.h"
 #include "zs_check.h"
 
@@ -644,19 +645,11 @@ void world_free(struct world *w)
     w->n_blocks = 0;
 }
 
-static uint64_t sum(uint64_t h, const void *from, size_t bytes)
-{
-    const uint8_t *b = from;
-    for (size_t i = 0; i < bytes; i++)
-        h = (h ^ b[i]) * 1099511628211u;
-    return h;
-}
-
 uint64_t world_sum(const struct world *w)
 {
-    uint64_t h = sum(14695981039346656037u, w, sizeof *w);
+    uint64_t h = fnv1a(14695981039346656037u, w, sizeof *w);
     for (int i = 0; i < w->n_blocks; i++)
-        h = sum(h, w->block[i], w->bytes[i]);
+        h = fnv1a(h, w->block[i], w->bytes[i]);
     return h;
 }
 
