@@ -71,6 +71,8 @@ static void set_config(struct job *job)
     struct sim_pools ample = sim_pools_of(job->model.n_tris, job->scene->n_verts, clips);
     if (sim_effects_any(&o->effects))
         ample = sim_effect_pools(&job->effect, &job->model, job->scene, &job->view);
+    if (sim_methods[o->method].records && ample.tris < ZS_POOL_MAX)
+        ample.tris = sim_method_pool(&sim_methods[o->method], (uint32_t)ample.tris);
     sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], sim_scene_varyings(&job->scene->scene));
     c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
     c->max_tris = pool_size(o->tris, ample.tris, 1);

@@ -54,6 +54,9 @@ for m in zbuffer $methods; do
     [ $status -eq 0 ] || wrong "$m: status $status: $(said)"
     cmp -s $m.png zbuffer.png || wrong "$m draws another triangle"
 done
+for m in depthsort coverage; do # with room for their own records: few rectangles
+    [ "$(sed -n 's/^ *"sorted": \([0-9]*\),/\1/p' $m.json)" -le 30 ] || wrong "$m sorts one triangle too often"
+done
 grep -q '"depth_bytes": 0,' painter.json || wrong "painter has depth_bytes"
 z render tri.obj --out x.png --method painter --depth-out d.pgm
 one_line 2 'method painter keeps no depth keys: leave --depth-out out'
