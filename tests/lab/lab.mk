@@ -47,6 +47,15 @@ bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/records/bench.txt
 
+## accelerators: what each accelerator is worth, in instructions of every scene on a Cortex-M3, and its flash;
+## accelerators-record: as the report
+accelerators: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/accelerators.sh $(B)
+accelerators-record: $(B)/.setup-test $(B)/gen/meshes.h
+	@{ echo "Of commit $$(git rev-parse --short HEAD): firmware/zstrip"; echo; \
+	    sh tests/lab/accelerators.sh $(B) | sed '/^ok /d'; } >$(B)/accelerators.txt && \
+	    mv $(B)/accelerators.txt tests/records/ACCELERATORS.txt
+
 ## strangers: zsim budget on twelve models of others against the emulated Pico; minutes
 strangers: sim $(B)/.setup-show
 	@.ci/setup assimp-testmodels
@@ -123,6 +132,7 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record strangers \
+        accelerators accelerators-record \
         stopwatch scale costs costs-record still cull methods methods-record methods-worlds methods-worlds-record \
         effects effects-record gallery depth hiz accuracy fuzz-programs lib-fuzz-programs stress-programs
 
