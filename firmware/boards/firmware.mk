@@ -62,6 +62,9 @@ ifneq ($(filter-out $(METHODS_KNOWN),$(METHOD)),)
 $(error METHOD=$(METHOD): no such method; there are $(METHODS_KNOWN), and none: the depth buffer)
 endif
 ifdef METHOD
+ifneq ($(filter -DSHOW_PIECE=1,$(APP_FLAGS)),)
+$(error METHOD=$(METHOD): SCENE=$(SCENE) is drawn in passes or has effects, by a method of its own)
+endif
 NAME := $(NAME)_$(METHOD)
 APP_FLAGS += -include zs_method.h -DSHOW_METHOD=zs_method_$(METHOD) \
              $(if $(filter painter,$(METHOD)),-DSHOW_NO_KEYS=1 -DSHOW_MAPPING=\&zs_depth_none) \
