@@ -37,7 +37,9 @@ static const char *shader_name(const struct sim_paint *p)
                               "zs_blend_texture_flat", "zs_blend_texture_smooth" },
     };
     if (p->lit)
-        return p->shader == SIM_SHADER_SMOOTH ? "zs_shade_lit" : "zs_shade_lit_face";
+        return p->shader == SIM_SHADER_TEXTURE_SMOOTH ? "zs_shade_texture_gloss"
+               : p->shader == SIM_SHADER_SMOOTH       ? "zs_shade_lit"
+                                                      : "zs_shade_lit_face";
     return names[p->alpha_mode][p->shader];
 }
 
@@ -71,6 +73,20 @@ static int has_alpha(const struct sim_conversion *c)
     return yes;
 }
 
+/* Highlights or emission on a texture? */
+static int has_gloss(const struct sim_paint *p)
+{
+    return p->lit && p->shader == SIM_SHADER_TEXTURE_SMOOTH;
+}
+
+static int needs_four(const struct sim_pieces *p)
+{
+    for (uint32_t i = 0; i < p->n_paints; i++)
+        if (has_gloss(&p->paint[i]))
+            return 1;
+    return 0;
+}
+
 static const char *attrs_name(const struct sim_pieces *p)
 {
     int textured = 0, smooth = 0, both = 0;
@@ -80,14 +96,16 @@ static const char *attrs_name(const struct sim_pieces *p)
         smooth |= s == SIM_SHADER_SMOOTH;
         textured |= s == SIM_SHADER_TEXTURE || s == SIM_SHADER_TEXTURE_FLAT;
     }
-    return both       ? "ZS_VARYINGS_TEXTURE_SMOOTH"
+    return needs_four(p) ? "ZS_VARYINGS_TEXTURE_GLOSS"
+           : both        ? "ZS_VARYINGS_TEXTURE_SMOOTH"
            : smooth   ? "ZS_VARYINGS_SMOOTH"
            : textured ? "ZS_VARYINGS_TEXTURE"
                       : "ZS_VARYINGS_FLAT";
 }
 
 /* The accelerators for the shaders and texel formats that are in it, after those of the frame. Those of transparent and
- * cut-out materials have none; where nothing is of an opaque shader's, it is not named. */
+ * cut-out materials have none, nor have those of highlights on textures; where nothing is of an opaque shader's, it is
+ * not named. */
 static void accelerators(FILE *f, const struct sim_conversion *c)
 {
     static const char *const names[] = { "RAW", "FLAT", "SMOOTH", "TEXTURE", "TEXTURE_FLAT", "TEXTURE_SMOOTH" };
@@ -96,11 +114,14 @@ static void accelerators(FILE *f, const struct sim_conversion *c)
     };
     const size_t n_names = sizeof names / sizeof names[0], n_formats = sizeof formats / sizeof formats[0];
     unsigned shaders = 0, texels = 0;
-    for (uint32_t i = 0; i < c->made.pieces.n_paints; i++)
-        if (c->made.pieces.paint[i].alpha_mode == SIM_ALPHA_OPAQUE)
-            shaders |= 1u << c->made.pieces.paint[i].shader;
-    for (uint32_t i = 0; i < c->made.n_skins; i++)
-        texels |= 1u << c->made.skin[i].format;
+    for (uint32_t i = 0; i < c->made.pieces.n_paints; i++) {
+        const struct sim_paint *p = &c->made.pieces.paint[i];
+        if (p->alpha_mode != SIM_ALPHA_OPAQUE || has_gloss(p))
+            continue;
+        shaders |= 1u << p->shader;
+        if (p->texture != SIM_NO_TEXTURE)
+            texels |= 1u << c->made.skin[p->texture].format;
+    }
     (void)fputs("ZS_FAST_FRAME, ZS_FAST_CLUSTERS", f);
     for (size_t i = 0; i < n_names; i++)
         if (shaders >> i & 1u)
@@ -350,6 +371,11 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
     (void)fprintf(f, "#define %s_VARYINGS %s /* zs_config.varyings, at least */\n", big, attrs_name(p));
+    if (needs_four(p))
+        (void)fprintf(f,
+                      "#if ZS_VARYINGS_MAX < 4\n#error \"%s.h: highlights on textures have four varyings; compile this "
+                      "and all of zstrip with -DZS_VARYINGS_MAX=4\"\n#endif\n",
+                      c->options.name);
     (void)fprintf(f, "/* For a list of accelerators (zs_fast.h), which ends with ZS_FAST_END: zs_config.fast */\n");
     (void)fprintf(f, "#define %s_FAST ", big);
     accelerators(f, c);

@@ -91,13 +91,26 @@ static void set_alpha(const struct work *w, struct sim_paint *paint, const struc
     paint->alpha_mode = paint->alpha < 255 ? SIM_ALPHA_BLEND : texels;
 }
 
+static int most_of(struct zs_rgb c)
+{
+    return c.r > c.g ? (c.r > c.b ? c.r : c.b) : (c.g > c.b ? c.g : c.b);
+}
+
+/* Does light on top of a texture show enough for what it costs? */
+static int shows_on_texture(const struct sim_material *m)
+{
+    return (m->power > 0 && most_of(m->specular) >= SIM_TEXTURE_SPECULAR_LEAST) ||
+           most_of(m->emission) >= SIM_TEXTURE_EMISSION_LEAST;
+}
+
 /* Highlights and emission, where there is a shader for them. */
 static void set_light(const struct work *w, struct sim_paint *paint, const struct sim_material *material)
 {
     const struct zs_rgb none = { 0, 0, 0 };
     const int smooth = paint->shader == SIM_SHADER_SMOOTH;
     const int flat = paint->shader == SIM_SHADER_FLAT && !w->options->no_face_normals;
-    if (w->options->opaque || paint->alpha_mode != SIM_ALPHA_OPAQUE || !(smooth || flat) ||
+    const int textured = paint->shader == SIM_SHADER_TEXTURE_SMOOTH && shows_on_texture(material);
+    if (w->options->opaque || paint->alpha_mode != SIM_ALPHA_OPAQUE || !(smooth || flat || textured) ||
         (material->power == 0 && same_rgb(material->emission, none)))
         return;
     paint->lit = 1;
@@ -184,7 +197,12 @@ static void lose_of(const struct work *w, const struct sim_material *m, const st
     if (m->alpha_mode != SIM_ALPHA_OPAQUE && w->options->opaque)
         sim_lose(lost, SIM_LOST_OPACITY, m->name);
     if (m->power > 0 && !paint->lit)
-        sim_lose(lost, SIM_LOST_SPECULAR, m->name);
+        sim_lose(lost,
+                 paint->shader == SIM_SHADER_TEXTURE_SMOOTH && paint->alpha_mode == SIM_ALPHA_OPAQUE &&
+                         !w->options->opaque
+                     ? SIM_LOST_FAINT_SPECULAR
+                     : SIM_LOST_SPECULAR,
+                 m->name);
     if (!same_rgb(m->emission, none) && !paint->lit)
         sim_lose(lost, SIM_LOST_EMISSION, m->name);
 }

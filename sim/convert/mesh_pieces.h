@@ -21,6 +21,11 @@ enum sim_shader {
     SIM_SHADER_TEXTURE_SMOOTH
 };
 
+/* Highlights on a texture take a shader without accelerators: from here on they are drawn, of 255. Under the usual lamp,
+ * SIM_LIT_STRENGTH, their top then is an eighth of full light or more: four codes of 31. Emission: a code. */
+#define SIM_TEXTURE_SPECULAR_LEAST 43
+#define SIM_TEXTURE_EMISSION_LEAST 8
+
 /* A material as it will be written. */
 struct sim_paint {
     enum sim_shader shader;
@@ -29,7 +34,8 @@ struct sim_paint {
     uint8_t cull;              /* enum zs_cull */
     uint8_t alpha_mode, alpha; /* enum sim_alpha, mask only with a texture; opacity, 255 is full */
     uint8_t power;             /* of highlights; 0: none */
-    uint8_t lit;       /* flag: a struct zs_lit_material, which alone has what follows; flat or smooth, opaque */
+    uint8_t lit;       /* flag: a struct zs_lit_material, which alone has what follows; flat, smooth or
+                          SIM_SHADER_TEXTURE_SMOOTH, opaque */
     uint8_t two_sided; /* flag: light falls on back sides */
     struct zs_rgb specular, emission;
     const char *name; /* of the file's material, borrowed; "": several or none */

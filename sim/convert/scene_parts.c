@@ -111,7 +111,9 @@ static const struct zs_shader *shader_of(const struct sim_paint *p)
                               &zs_blend_texture_flat, &zs_blend_texture_smooth },
     };
     if (p->lit)
-        return p->shader == SIM_SHADER_SMOOTH ? &zs_shade_lit : &zs_shade_lit_face;
+        return p->shader == SIM_SHADER_TEXTURE_SMOOTH ? &zs_shade_texture_gloss
+               : p->shader == SIM_SHADER_SMOOTH       ? &zs_shade_lit
+                                                      : &zs_shade_lit_face;
     return of[p->alpha_mode][p->shader];
 }
 

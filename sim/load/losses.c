@@ -44,6 +44,7 @@ void sim_losses_print(FILE *f, const char *lead, const struct sim_lost *lost)
         [SIM_LOST_OPACITY] = { "opacity", "of material " },
         [SIM_LOST_TWO_SIDED] = { "double-sidedness: light on back sides", "of material " },
         [SIM_LOST_SPECULAR] = { "highlights", "of material " },
+        [SIM_LOST_FAINT_SPECULAR] = { "highlights on a texture, too faint for what they cost", "of material " },
         [SIM_LOST_EMISSION] = { "emission", "of material " },
     };
     for (int kind = 0; kind < SIM_LOST_KINDS; kind++) {

@@ -117,17 +117,48 @@ static void set_specular(struct sim_material *to, const double rgb[3], double po
 
 /* Metallic-roughness as Blinn-Phong: the power whose lobe is as wide as GGX's, as bright at its top as one that
  * reflects as much light. Dielectrics reflect 4 %, metals their colour. */
-static void set_roughness(struct sim_material *to, const struct aiMaterial *m)
+static void set_roughness(struct sim_material *to, double rough, double metal, const double base[3])
 {
-    const double rough = number_of(m, AI_MATKEY_ROUGHNESS_FACTOR, 1.0);
-    const double metal = fmin(fmax(number_of(m, AI_MATKEY_METALLIC_FACTOR, 1.0), 0.0), 1.0);
     const double power = fmin(2.0 / pow(fmax(rough, 0.1), 4.0) - 2.0, SPECULAR_POWER_MAX);
-    const double base[3] = { to->rgb.r / 255.0, to->rgb.g / 255.0, to->rgb.b / 255.0 };
     double rgb[3];
+    to->power = 0;
+    to->specular = (struct zs_rgb){ 0, 0, 0 };
     for (int k = 0; k < 3; k++)
         rgb[k] = (0.04 + metal * (base[k] - 0.04)) * (power + 8.0) / 8.0;
     if (rough < 0.95)
         set_specular(to, rgb, power);
+}
+
+static double rough_of(const struct aiMaterial *m)
+{
+    return number_of(m, AI_MATKEY_ROUGHNESS_FACTOR, 1.0);
+}
+
+static double metal_of(const struct aiMaterial *m)
+{
+    return fmin(fmax(number_of(m, AI_MATKEY_METALLIC_FACTOR, 1.0), 0.0), 1.0);
+}
+
+/* Metals reflect the colour of their texture: its mean. The texels are times the base colour. */
+static void set_textured_metal(struct sim_material *to, const struct sim_use *use, const struct sim_texture *texture)
+{
+    const struct sim_image *image = &texture->image;
+    const size_t n = (size_t)image->width * image->height;
+    double base[3] = { 0.0, 0.0, 0.0 };
+    if (use->rough < 0.0 || use->metal == 0.0)
+        return;
+    for (size_t i = 0; i < n; i++)
+        for (int k = 0; k < 3; k++)
+            base[k] += image->rgb[i][k];
+    for (int k = 0; k < 3; k++)
+        base[k] /= 255.0 * (double)n;
+    set_roughness(to, use->rough, use->metal, base);
+}
+
+static int has_map(const struct aiMaterial *m, enum aiTextureType type)
+{
+    struct aiString path;
+    return aiGetMaterialString(m, AI_MATKEY_TEXTURE(type, 0), &path) == aiReturn_SUCCESS && path.length > 0;
 }
 
 static void look_of(struct sim_material *to, const struct aiMaterial *m)
@@ -136,7 +167,8 @@ static void look_of(struct sim_material *to, const struct aiMaterial *m)
     int flag = 0;
     const int mode = gltf_mode(m);
     to->two_sided = aiGetMaterialInteger(m, AI_MATKEY_TWOSIDED, &flag) == aiReturn_SUCCESS && flag != 0;
-    if (aiGetMaterialColor(m, AI_MATKEY_COLOR_EMISSIVE, &c) == aiReturn_SUCCESS)
+    if (!has_map(m, aiTextureType_EMISSIVE) && /* it would be times that, which is not carried over */
+        aiGetMaterialColor(m, AI_MATKEY_COLOR_EMISSIVE, &c) == aiReturn_SUCCESS)
         to->emission = (struct zs_rgb){ to_byte((double)c.r), to_byte((double)c.g), to_byte((double)c.b) };
     to->unlit = aiGetMaterialInteger(m, AI_MATKEY_SHADING_MODEL, &flag) == aiReturn_SUCCESS &&
                 flag == (int)aiShadingMode_Unlit;
@@ -145,7 +177,8 @@ static void look_of(struct sim_material *to, const struct aiMaterial *m)
         to->alpha_mode = (uint8_t)mode;
         to->alpha = mode == SIM_ALPHA_OPAQUE || !has ? 255 : to_byte((double)c.a);
         to->alpha_least = to_byte(number_of(m, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5));
-        set_roughness(to, m);
+        const double base[3] = { to->rgb.r / 255.0, to->rgb.g / 255.0, to->rgb.b / 255.0 };
+        set_roughness(to, rough_of(m), metal_of(m), base);
         return;
     }
     const double opacity = number_of(m, AI_MATKEY_OPACITY, 1.0);
@@ -199,6 +232,8 @@ void sim_material_use(struct sim_use *out, const struct aiMaterial *material,
         take_mtl(out, mtl);
     else if (material != NULL)
         look_up(out, material);
+    out->rough = out->says_alpha ? rough_of(material) : -1.0;
+    out->metal = out->says_alpha ? metal_of(material) : 0.0;
     for (int k = 0; k < 3; k++) /* a NaN becomes 0 */
         out->factor[k] = out->factor[k] > 0.0 ? fmin(out->factor[k], 1.0) : 0.0;
 }
@@ -456,6 +491,8 @@ static int own_textures(struct sim_model *model, const struct aiScene *scene,
         model->material[i].texture = same < i                      ? model->material[same].texture
                                      : model->n_textures > before ? before
                                                                   : SIM_NO_TEXTURE;
+        if (status == SIM_OK && model->material[i].texture != SIM_NO_TEXTURE)
+            set_textured_metal(&model->material[i], &use[i], &model->texture[model->material[i].texture]);
         sim_progress("textures", i, model->n_materials);
     }
     free(used);

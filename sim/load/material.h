@@ -21,6 +21,7 @@ struct sim_use {
     char *mask;           /* OBJ: the picture of its opacity, as the file says; "": none */
     uint8_t alpha_mode, alpha_least; /* what its alpha does: enum sim_alpha */
     uint8_t says_alpha;   /* flag: the format says what a texture's alpha does */
+    double rough, metal;  /* glTF: by which its highlights take the texture's colour; rough < 0: they do not */
 };
 
 /* How a material looks, but for its colour and texture. material and mtl as below. */

@@ -19,6 +19,7 @@
 #include "option_table.h"
 #include "project_files.h"
 #include "sim.h"
+#include "zs_lights.h"
 #include "zstrip.h"
 
 #define TEMPLATES "sim/project/template"
@@ -155,15 +156,27 @@ static uint32_t defined(const char *header, const char *what)
     return (uint32_t)value;
 }
 
+/* Has the model's header a value of that name, as "ZS_VARYINGS_TEXTURE_GLOSS"? */
+static int names(const char *header, const char *what)
+{
+    char line[256];
+    int found = 0;
+    FILE *f = fopen(header, "r");
+    while (f != NULL && !found && fgets(line, sizeof line, f) != NULL)
+        found = strncmp(line, "#define ", 8) == 0 && strstr(line, what) != NULL;
+    if (f != NULL)
+        (void)fclose(f);
+    return found;
+}
+
 static uint32_t least(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;
 }
 
 /* Triangles and vertices at a time: all of the model's where they fit, else shares of the RAM as the model has them. */
-static void choose_pools(const struct board *b, uint32_t pool[2], uint32_t n_tris, uint32_t n_verts)
+static void choose_pools(const struct board *b, uint32_t pool[2], uint32_t n_tris, uint32_t n_verts, uint32_t varyings)
 {
-    const uint32_t varyings = ZS_VARYINGS_TEXTURE_SMOOTH; /* the most that convert writes */
     uint32_t part = 1024;
     do {
         pool[0] = least(ZS_POOL_MAX, n_tris * part / 1024u + 8u);
@@ -223,7 +236,9 @@ static int write_templates(const struct request *rq, const char *sources, const 
     const int is_linux = strcmp(b->name, "linux") == 0, is_pico = strcmp(b->name, "pico") == 0;
     uint32_t pool[2];
     (void)snprintf(header, sizeof header, "%s/model.h", rq->out);
-    choose_pools(b, pool, defined(header, "TRIANGLES"), defined(header, "VERTICES"));
+    const int gloss = names(header, "ZS_VARYINGS_TEXTURE_GLOSS"); /* else three are the most that convert writes */
+    choose_pools(b, pool, defined(header, "TRIANGLES"), defined(header, "VERTICES"),
+                 gloss ? ZS_VARYINGS_TEXTURE_GLOSS : ZS_VARYINGS_TEXTURE_SMOOTH);
     const uint32_t values[6] = { b->w, b->h, b->rows, pool[0], pool[1], b->buffers };
     for (int i = 0; i < 6; i++)
         (void)snprintf(number[i], sizeof number[i], "%lu", (unsigned long)values[i]);
@@ -255,6 +270,8 @@ static int write_templates(const struct request *rq, const char *sources, const 
         { "INCLUDES", is_linux ? "#if HAL_LINUX /* not with BOARD=host */\n#include \"linux.h\"\n#endif\n" : "" },
         { "WIRE", is_linux ? linux_wire_text : "" },
         { "UNIT", b->pixel_bits < 16 ? "1" : "2" },
+        { "DEFINES", gloss ? "-DZS_VARYINGS_MAX=4" : "" },
+        { "OPTIONS", gloss ? "target_compile_options(zstrip PUBLIC -DZS_VARYINGS_MAX=4)\n" : "" },
         { "EMULATED", is_pico ? ", of the emulated Pico" : "" },
         { "IN_EMULATOR", is_pico ? " in an emulated Pico" : "" },
         { "PACKAGES", b->packages },

@@ -56,12 +56,16 @@ place_of() { # TO
 # each form of file once: what differs in numbers alone, and in how many rows an array has, has the same form. The
 # fourth takes all, and a number that does not fit is an error there.
 checked=' ' # checksums of forms
+varyings_of() { # TO    what the compiler is told for it
+    ! grep -q ZS_VARYINGS_TEXTURE_GLOSS "$1/m.h" || echo -DZS_VARYINGS_MAX=4
+}
 compile() { # TO PROGRAM.c
     this=$(cat "$1/m.c" "$1/m.h" | sed 's/[0-9][0-9a-fx.]*/0/g; s/-0/0/g; s/"[^"]*"/""/g
         s/{[ 0{},]*}/{ 0 }/g; s/0\(, 0\)*/0/g; /^ *\*/d; /^ *\/\*/d' | uniq | cksum | tr ' ' -)
     case $checked in *" $this "*) ;; *) syntax "$1" ;; esac
     checked="$checked$this "
-    gcc -std=c11 -O0 -c -Wall -Wextra -Wpedantic -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
+    gcc -std=c11 -O0 -c -Wall -Wextra -Wpedantic -Werror -Iheaders $(varyings_of "$1") "$1/m.c" -o "$1/m.o" \
+        >cc.log 2>&1 &&
         gcc -std=gnu11 -O0 -c -Wall -Wextra -Werror -DZS_VARYINGS_MAX=8 -I"$top/firmware/zstrip" -I"$1" \
             "$top/tests/tools/convert/$2.c" -o "$1/$2.o" >cc.log 2>&1 &&
         gcc $SAN "$1/$2.o" "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 ||
@@ -70,16 +74,16 @@ compile() { # TO PROGRAM.c
 syntax() { # TO
     for compiler in 'g++ -x c++ -std=c++20' 'clang -std=c11' 'clang++ -x c++ -std=c++20'; do
         $compiler -Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers -fsyntax-only \
-            -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 || wrong "$compiler: $(head -c 400 cc.log)"
+            $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 || wrong "$compiler: $(head -c 400 cc.log)"
     done
     for compiler in 'g++ -x c++ -std=c++14' 'clang++ -x c++ -std=c++14'; do
-        $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$top/firmware/zstrip" -include "$1/m.h" /dev/null \
-            >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
+        $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only $(varyings_of "$1") -I"$top/firmware/zstrip" -include "$1/m.h" \
+            /dev/null >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
     done
 }
 # What is printed as flash is what a Cortex-M's linker would take.
 same_flash() { # TO
-    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -c -I"$top/firmware/zstrip" "$1/m.c" -o "$1/arm.o" ||
+    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -c $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" -o "$1/arm.o" ||
         wrong "the Cortex-M compiler refuses it"
     linked=$(arm-none-eabi-nm -S --defined-only "$1/arm.o" |
         awk 'function hex(s,  i, n) {
@@ -192,8 +196,8 @@ one_road() { # NAME INPUT OPTION...    options of render and convert alike
     "$build/zsim" render "$@" $camera --strip 20 --out "$road/o.png" --stats "$road/o.json" >stdout.render 2>&1
     look json "$road/o.json" rejected_facing
     is "triangles that no cluster left out" "$seen" "$facing"
-    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c -I"$top/firmware/zstrip" "$road/m.c" \
-        -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
+    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c $(varyings_of "$road") -I"$top/firmware/zstrip" \
+        "$road/m.c" -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
     linked=$(arm-none-eabi-size -A "$road/arm.o" | awk '/^\.(text|rodata|data|bss)/ { sum += $2 } END { print sum }')
     "$build/zsim" budget "$@" --csv >stdout 2>stderr || wrong "$(cat stderr)"
     is "scene data of zsim budget" "$(awk -F, '$1 == "flash_data" { print $2 }' stdout)" "$linked"
@@ -256,14 +260,16 @@ all_maps='"normalTexture":{"index":2},"occlusionTexture":{"index":2},"emissiveTe
         '"roughnessFactor":0.4,"baseColorFactor":[0.7,0.1,0.1,1]')}" \
     "{\"name\":\"maps\",$all_maps,$(pbr \
         '"metallicRoughnessTexture":{"index":2},"baseColorTexture":{"index":3}')}" "$both_sides" \
-    "{\"name\":\"wet\",\"emissiveFactor\":[0.2,0,0],$(pbr '"roughnessFactor":0.3,"baseColorTexture":{"index":2}')}"
+    "{\"name\":\"wet\",\"emissiveFactor\":[0.2,0,0],$(pbr '"roughnessFactor":0.3,"baseColorTexture":{"index":2}')}" \
+    "{\"name\":\"damp\",$(pbr '"roughnessFactor":0.6,"baseColorTexture":{"index":2}')}"
 cut='"alphaMode":"MASK","alphaCutoff":0.3'
 ./make looks looks fence - "{\"name\":\"fence\",$cut,$(pbr '"baseColorTexture":{"index":1}')}"
 metal() { # NAME ROUGHNESS MORE
     echo "{\"name\":\"$1\",$3\"pbrMetallicRoughness\":{\"metallicFactor\":1,\"roughnessFactor\":$2,"
     echo '"baseColorFactor":[1,0.5,0,1]}}'
 }
-./make looks looks metal - "$(metal gold 0.6 '"doubleSided":true,')" "$(metal mirror 0 '')" "$(metal rough 1 '')"
+./make looks looks metal - "$(metal gold 0.6 '"doubleSided":true,')" "$(metal mirror 0 '')" "$(metal rough 1 '')" \
+    "$(metal cloth 0.5 '' | sed 's/"baseColorFactor":/"baseColorTexture":{"index":2},&/')"
 {
     echo 'mtllib glass.mtl'
     i=0
@@ -371,6 +377,7 @@ one_road mtl looks/glass.obj
 one_road highlights looks/lossy.gltf
 one_road highlights_flat looks/lossy.gltf --shade flat
 one_road metals looks/metal.gltf --shade smooth
+one_road metals_with_textures looks/metal.gltf
 
 # ---- Materials -----------------------------------------------------------------------------------
 # What is drawn is seen in the frame; what is not carried over is named, by convert and by render alike.
@@ -424,6 +431,19 @@ lacks look/m.h M_METHOD
 convert look looks/metal.gltf
 holds look/m.c '.specular = { 255, 128, 0 }, .emission = { 0, 0, 0 }, .flags = ZS_LIT_TWO_SIDED }, /* "gold" */'
 line shade_smooth '.rgb = { 255, 128, 0 }' 'BACK }, /* "rough" */'
+begin highlights_on_textures_that_are_written
+holds look/m.c '.specular = { 255, 164, 0 }, .emission = { 0, 0, 0 } }, /* "cloth" */' # by red.png's mean
+convert look looks/lossy.gltf
+line_of_gloss='{ .material = { .shader = &zs_shade_texture_gloss, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK'
+holds look/m.c "$line_of_gloss, .texture = &m_texture[0] },"
+holds look/m.c '.shine = &m_shine_128, .specular = { 173, 173, 173 }, .emission = { 51, 0, 0 } }, /* "wet" */'
+line shade_texture_smooth "$white" 'BACK, .texture = &m_texture[0] }, /* "damp" */'
+holds look/m.h '#define M_VARYINGS ZS_VARYINGS_TEXTURE_GLOSS '
+gcc -fsyntax-only -Iheaders look/m.c 2>cc.log && wrong 'three varyings are taken'
+holds cc.log 'm.h: highlights on textures have four varyings; compile this and all of zstrip with -DZS_VARYINGS_MAX=4'
+grep '^#define M_FAST' look/m.h | grep -q TEXTURE_SMOOTH || wrong 'no accelerator for "damp"'
+convert look looks/metal.gltf
+grep '^#define M_FAST' look/m.h | grep -qE 'TEXTURE|565|PAL' && wrong 'accelerators that nothing uses'
 begin alpha_of_a_picture_alone_is_named
 convert look looks/hole.png
 holds stdout '  not carried over: alpha of a texture (1)'
@@ -432,13 +452,13 @@ lacks many_materials/m.h M_METHOD
 lacks many_materials/m.c zs_filter.h
 begin materials_that_are_named
 said_of looks/looks.gltf 'double-sidedness: light on back sides (2, the first of material "fade")'
-said_of looks/lossy.gltf 'animation (1, "walk")' 'skin (4, the first of mesh "bowl0")' \
-    'morph targets (4, the first of mesh "bowl0")' 'camera (1, "eye")' 'light (1, "lamp")' \
-    'further texture coordinates (4, the first of mesh "bowl0")' 'texture that cannot be loaded (1, "gone.png")' \
+said_of looks/lossy.gltf 'animation (1, "walk")' 'skin (5, the first of mesh "bowl0")' \
+    'morph targets (5, the first of mesh "bowl0")' 'camera (1, "eye")' 'light (1, "lamp")' \
+    'further texture coordinates (5, the first of mesh "bowl0")' 'texture that cannot be loaded (1, "gone.png")' \
     'normal or height map (1, of material "maps")' 'metallic-roughness map (1, of material "maps")' \
     'emission map (1, of material "maps")' 'occlusion map (1, of material "maps")' \
-    'double-sidedness: light on back sides (1, of material "both sides")' 'highlights (1, of material "wet")' \
-    'emission (1, of material "wet")'
+    'double-sidedness: light on back sides (1, of material "both sides")' \
+    'highlights on a texture, too faint for what they cost (1, of material "damp")'
 said_of gltf/balls.gltf
 said_of looks/glass.obj 'alpha of a texture (1, "fade.png")' 'normal or height map (1, of material "leaf")' \
     'opacity map (1, of material "odd")'

@@ -95,6 +95,25 @@ z new panes.obj --out opaque
 project opaque test BOARD=host || wrong "$(tail -3 made.txt)"
 cmp -s panes/build/host/test_1.bin opaque/build/host/test_1.bin && wrong 'glass is as opaque as what is not'
 
+# A texture that shines has four varyings: all of the project is compiled so
+z render box.obj --size 64x64 --background 4060c0 --out skin.png
+printf 'newmtl wet\nmap_Kd skin.png\nKs 0.9 0.9 0.9\nNs 9\n' >wet.mtl
+{ printf 'mtllib wet.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl wet\n'
+    sed 's|^f \(.\) \(.\) \(.\) \(.\)|f \1/1 \2/2 \3/3 \4/4|' box.obj; } >wet.obj
+begin new_of_highlights_on_textures
+z new wet.obj --out wet
+[ "$status" = 0 ] || wrong "$(said)"
+grep -q zs_shade_texture_gloss wet/model.c || wrong 'no highlights'
+project wet image BOARD=pico || wrong "$(tail -3 made.txt)"
+project wet test BOARD=host || wrong "$(tail -3 made.txt)"
+{ cmake -S wet -B wet/cmake && cmake --build wet/cmake -j2; } >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
+HAL_STREAM=cmake.stream ./wet/cmake/wet >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
+cmp -s cmake.stream wet/build/host/stream && wrong 'three frames are 48'
+sed -i '/^Ks/d' wet.mtl
+z new wet.obj --out dry
+project dry test BOARD=host || wrong "$(tail -3 made.txt)"
+cmp -s wet/build/host/test_1.bin dry/build/host/test_1.bin && wrong 'it shines no more than without'
+
 begin new_says_what_does_not_fit
 sed -i 's/^#define ROWS .*/#define ROWS 240/; s/^#define TRIS .*/#define TRIS 9000/' opaque/main.c
 project opaque image BOARD=pico && wrong 'it fits'
