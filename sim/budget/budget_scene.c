@@ -15,6 +15,7 @@
 #include "core/job.h"
 #include "core/view.h"
 #include "core/xform.h"
+#include "zs_filter.h"
 #include "zs_shader.h"
 #include "core/cull.h"
 #include "scene_parts.h"
@@ -54,7 +55,9 @@ static uint32_t shade_bit(const struct zs_shader *s)
 
 static uint32_t texel_bit(const struct zs_texel *t)
 {
-    return t == &zs_texel_565 ? 1u : t == &zs_texel_pal8 ? 2u : 4u;
+    return t == &zs_texel_565 || t == &zs_texel_4444   ? 1u
+           : t == &zs_texel_pal8 || t == &zs_texel_pal8a ? 2u
+                                                         : 4u;
 }
 
 static uint32_t texture_bytes(const struct zs_texture *t)
@@ -88,7 +91,8 @@ static void add_data(struct budget *b, const struct zs_scene *scene)
         }
         b->data += mesh ? mesh_bytes(in->mesh) : 0u;
         b->data += (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
-        b->shades |= shade_bit(in->material->shader);
+        const struct zs_shader *plain = sim_costs_plain(in->material->shader);
+        b->shades |= shade_bit(plain != NULL ? plain : in->material->shader);
         b->states |= in->depth_state != NULL;
         if (t)
             b->texels |= texel_bit(t->format);
@@ -183,16 +187,16 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
     return status;
 }
 
-/* Is there a shader that costs.h does not know? */
+/* Is there a shader of effect/? */
 static int has_effects(const struct zs_scene *scene)
 {
     for (uint32_t i = 0; i < scene->n_instances; i++)
-        if (shade_bit(scene->instance[i].material->shader) == 0)
+        if (sim_costs_plain(scene->instance[i].material->shader) != NULL)
             return 1;
     return 0;
 }
 
-/* Its bytes are those of its materials; shaders that costs.h does not know are counted as plain ones. */
+/* Its bytes are those of its materials. */
 int budget_model(struct budget *b, const struct budget_request *rq, const struct sim_model *model)
 {
     struct sim_options o = rq->o;
@@ -204,17 +208,11 @@ int budget_model(struct budget *b, const struct budget_request *rq, const struct
     if (status == SIM_OK)
         status = sim_kept_take(kept, model, &view, &o);
     const uint32_t data = (uint32_t)kept->scene.data_bytes;
-    if (status == SIM_OK && has_effects(&kept->scene.scene)) {
-        if (!rq->quiet)
-            (void)fprintf(stderr,
-                          "%s: %s: materials with transparency, highlights or emission count as plain ones, but for "
-                          "their bytes\n",
-                          sim_program, o.model);
-        o.opaque = 1; /* another scene */
-        sim_kept_free(&own);
-        kept = &own;
-        status = sim_kept_take(kept, model, &view, &o);
-    }
+    if (status == SIM_OK && has_effects(&kept->scene.scene) && !rq->quiet)
+        (void)fprintf(stderr,
+                      "%s: %s: the code of materials with transparency, highlights or emission is not in the flash; "
+                      "%s\n",
+                      sim_program, o.model, "it is 1 to 8 KB");
     if (status == SIM_OK) {
         set_config(b, rq, (uint16_t)o.size[0], (uint16_t)o.size[1], sim_scene_varyings(&kept->scene.scene),
                    mapping(rq));

@@ -21,6 +21,9 @@ void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N])
 
 double sim_cost_of(enum sim_core core, enum sim_cost cost)
 {
+    const double effect = sim_effect_cost(core, cost);
+    if (effect >= 0.0)
+        return effect;
     if (is_replaced[core])
         return replaced[core][cost];
     for (size_t i = 0; i < sizeof stage_costs / sizeof stage_costs[0]; i++)

@@ -141,7 +141,19 @@
     X(ray_plane, "method", "plane of a triangle's keys found for a ray")                                        \
     X(ray_curved, "method", "key found where a triangle's keys are not linear")                                 \
     X(span_ray, "method", "row of a triangle, coloured where rays hit it")                                      \
-    X(px_ray, "method", "pixel of it looked at")
+    X(px_ray, "method", "pixel of it looked at")                                                                \
+    SIM_EFFECT_COSTS(X)
+
+/* Those of effects are not fitted: they are differences of what make effects-record has measured (effect_costs.c). */
+#define SIM_EFFECT_COSTS(X)                                                                                     \
+    X(lit_vertex, "vertex", "its light by lamps")                                                               \
+    X(lit_shine, "vertex", "more with a highlight")                                                             \
+    X(lit_face, "triangle", "its light by lamps, and a highlight")                                              \
+    X(gloss_vertex, "vertex", "its texture coordinates, light by lamps and highlight")                          \
+    X(gloss_start, "set-up", "more for a highlight on a texture")                                               \
+    X(gloss_px, "run", "more for a pixel of a highlight on a texture")                                          \
+    X(cutout_px, "run", "more for a pixel whose texel may be clear")                                            \
+    X(blend_px, "pixel", "more for a pixel that is blended")
 
 #define SIM_COST_ENUM(name, stage, what) SIM_COST_##name,
 enum sim_cost { SIM_COSTS(SIM_COST_ENUM) SIM_COST_N };
@@ -161,6 +173,10 @@ struct sim_counted {
     uint32_t checksum;     /* FNV-1a, 32 bits, of its bytes as they leave */
 };
 
+/* The shader of shade/ that an effect's is counted as, with what it takes more; NULL: it is no effect's that is known.
+ */
+const struct zs_shader *sim_costs_plain(const struct zs_shader *shader);
+
 /* Draw a frame and count. Return ZS_OK, or an error of the renderer; SIM_FRAME_BROKEN: pixels that were counted are not
  * those that the renderer says. Not for two threads at once. Needs ZS_STATS = 1. */
 int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
@@ -168,6 +184,8 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
 
 /* ---- What one costs ----------------------------------------------------------------------------- */
 
+/* Of an effect, as the effects' record has it; < 0: of no effect. */
+double sim_effect_cost(enum sim_core core, enum sim_cost cost);
 /* Instructions (RP2040: cycles) of one, as on record. */
 double sim_cost_of(enum sim_core core, enum sim_cost cost);
 /* The most that the estimate is off by, percent of what frames of the demo and bench scenes take, as on record. */

@@ -21,6 +21,9 @@
 #include "method/order.h"
 #include "method/raycast.h"
 #include "shade/texture.h"
+#include "zs_blend.h"
+#include "zs_filter.h"
+#include "zs_lights.h"
 #include "zs_method.h"
 #include "zs_shader.h"
 #include "sim.h"
@@ -35,6 +38,8 @@ struct our_shader {
     const struct zs_shader *of;
     enum kind kind;
     enum sim_cost vertex, face;
+    const struct zs_shader *like; /* the shader whose stages an effect's are made of; NULL: this is none */
+    int shines, blends;           /* flags: it has highlights; it is drawn as an opaque one, and blended */
 };
 struct our_texel {
     struct zs_texel texel;
@@ -52,6 +57,7 @@ struct thing { /* an instance's copies */
     struct our_fast fast;      /* of the shader ... */
     struct zs_fast texel_fast; /* ... and of the texel format */
     struct zs_fast_texel texel_hooks;
+    struct zs_lit_material lit; /* an effect's whole material, where its shader has that */
     struct zs_material material;
     struct zs_texture texture;
 };
@@ -80,6 +86,7 @@ static struct {
     } binned[2];
     uint32_t unpacked, band; /* when it met a full pool: vertices not packed yet, the band's end */
     const struct zs_job *job; /* whose run is coloured; NULL: none */
+    const struct zs_shader *own; /* its shader, while it has another's stages called */
     uint8_t wide, huge; /* flags, of the triangle that was set up last: how its planes are found */
     uint8_t linear;    /* flag: keys are linear on the screen in this view */
     uint8_t lit;       /* flag: the small triangle in hand is drawn lit */
@@ -199,6 +206,7 @@ static void on_vertex(const struct zs_shading *shading, uint32_t v, uint16_t *ou
 {
     const struct our_shader *s = shader_of(shading->instance->material->shader);
     now.n[s->vertex]++;
+    now.n[SIM_COST_lit_shine] += s->vertex == SIM_COST_lit_vertex && s->shines;
     s->of->vertex(shading, v, out);
 }
 
@@ -342,6 +350,12 @@ static void count_setup(const struct shape *s)
     now.n[SIM_COST_edge_div64] += s->divided64;
 }
 
+/* Highlights on a texture: of the triangle that has been set up. */
+static int has_gloss(const struct zs_job *job, const struct our_shader *s)
+{
+    return s->of == &zs_shade_texture_gloss && (job->c[3].base | job->c[3].gx | job->c[3].gy) != 0;
+}
+
 static void count_start(const struct zs_job *job, const struct our_shader *s)
 {
     const int affine = job->sub_log2 == ZS_AFFINE;
@@ -349,8 +363,9 @@ static void count_start(const struct zs_job *job, const struct our_shader *s)
         now.n[affine ? SIM_COST_start_smooth : SIM_COST_start_smooth_w]++;
     else if (s->kind == KIND_TEXTURE)
         now.n[affine ? SIM_COST_start_texture : SIM_COST_start_texture_w]++;
-    if (s->kind == KIND_TEXTURE && s->of->n_varyings == 3)
+    if (s->kind == KIND_TEXTURE && s->of->n_varyings >= 3)
         now.n[SIM_COST_start_light]++;
+    now.n[SIM_COST_gloss_start] += has_gloss(job, s);
     if (s->kind != KIND_SOLID && now.wide)
         now.n[now.huge ? SIM_COST_plane_wide : SIM_COST_plane_mid] += s->of->n_varyings + !affine;
 }
@@ -362,12 +377,18 @@ static void on_start(struct zs_job *job)
     count_start(job, s);
 }
 
+/* What tests the pieces of its rows. */
+static zs_piece_fn *tester(const struct zs_job *job)
+{
+    const struct our_shader *s = shader_of(job->shader);
+    const struct zs_fast *of = fast_of(job)->of;
+    return of && of->span ? of->span : s->of->span ? s->of->span : zs_rows_test;
+}
+
 /* A row by what tests the shader's pieces; not by on_span. */
 ZS_ALWAYS_INLINE void row_tested(struct zs_job *job, const struct zs_row *row)
 {
-    const struct zs_fast *of = fast_of(job)->of;
-    zs_piece_fn *const span = of && of->span ? of->span : zs_rows_test;
-    span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+    tester(job)(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
 }
 
 /* Linear keys, no state, no pixel untouched: an accelerator draws rows itself, or they are tested and have runs
@@ -384,7 +405,7 @@ static int on_rows(struct zs_job *job)
     const double won = written() - before;
     const int affine = job->sub_log2 == ZS_AFFINE && (s->kind == KIND_SMOOTH ||
                                                       (job->sampler.direct && job->sampler.unlit));
-    if (s->kind == KIND_SOLID) {
+    if (s->kind == KIND_SOLID && !s->like) {
         now.n[SIM_COST_span_solid] += shape->spans;
         now.n[SIM_COST_px_solid] += shape->px;
         now.n[SIM_COST_won_solid] += won;
@@ -414,19 +435,19 @@ static int pixelwise(void)
 static void on_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
 {
     const struct our_shader *s = shader_of(job->shader);
-    const struct zs_fast *of = fast_of(job)->of;
     const uint32_t before = written();
     now.testing = 1;
-    (of && of->span ? of->span : zs_rows_test)(job, row, i0, i1, sum, gx);
+    tester(job)(job, row, i0, i1, sum, gx);
     now.testing = 0;
     const double won = written() - before;
     if (pixelwise()) { /* a piece a pixel; on_planes counts them */
         now.n[SIM_COST_won_runs] += won;
         return;
     }
+    const int solid = s->kind == KIND_SOLID && !s->like;
     now.n[SIM_COST_piece]++;
-    now.n[s->kind == KIND_SOLID ? SIM_COST_px_solid : SIM_COST_px_runs] += i1 - i0;
-    now.n[s->kind == KIND_SOLID ? SIM_COST_won_solid : SIM_COST_won_runs] += won;
+    now.n[solid ? SIM_COST_px_solid : SIM_COST_px_runs] += i1 - i0;
+    now.n[solid ? SIM_COST_won_solid : SIM_COST_won_runs] += won;
 }
 
 /* A piece of a row of an instance with a state, whose keys are not linear. */
@@ -591,7 +612,14 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
             now.n[SIM_COST_run_smooth_part] +=
                 ((to - 1 - row->x0) >> job->sub_log2) - ((from - row->x0) >> job->sub_log2) + 1;
     }
+    if (has_gloss(job, s))
+        now.n[SIM_COST_gloss_px] += to - from;
+    if (s->of->span)
+        now.n[SIM_COST_cutout_px] += to - from;
+    if (s->blends)
+        now.n[SIM_COST_blend_px] += to - from;
     now.job = job;
+    now.own = job->shader;
     s->of->run(job, row, from, to);
     now.job = NULL;
 }
@@ -676,6 +704,15 @@ static void on_row(struct zs_job *job, const struct zs_row *row)
     now.of->row(job, row);
 }
 
+/* Texels that are lit by another name than on_light. */
+static void count_gloss_lit(int32_t n)
+{
+    if (!now.job || now.job->sampler.unlit || shader_of(now.own)->of != &zs_shade_texture_gloss)
+        return;
+    now.n[SIM_COST_shine]++;
+    now.n[SIM_COST_shine_px] += n;
+}
+
 static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
 {
     const struct our_texel *x = texel_of(t->format);
@@ -689,11 +726,13 @@ static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const
         if (divided)
             now.n[n > 1 ? SIM_COST_fetch_group : SIM_COST_fetch_one]++;
     }
+    count_gloss_lit(n);
     x->of->fetch(t, out, n, walk);
 }
 
 static void on_gather(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
+    count_gloss_lit(n);
     now.n[SIM_COST_divide]++;
     now.n[SIM_COST_divide_px] += n;
     texel_of(t->format)->fast_of->gather(t, out, n, at);
@@ -768,21 +807,64 @@ static double walks_of(double first, double others)
 
 /* ---- Copies ------------------------------------------------------------------------------------- */
 
+/* The opaque shader of a blending one; NULL: it is none. */
+static const struct zs_shader *opaque(const struct zs_shader *of)
+{
+    return of == &zs_blend_raw              ? &zs_shade_raw
+           : of == &zs_blend_flat           ? &zs_shade_flat
+           : of == &zs_blend_smooth         ? &zs_shade_smooth
+           : of == &zs_blend_texture        ? &zs_shade_texture
+           : of == &zs_blend_texture_flat   ? &zs_shade_texture_flat
+           : of == &zs_blend_texture_smooth ? &zs_shade_texture_smooth
+                                            : NULL;
+}
+
+/* The shader that an effect's is made of; NULL: it is none that is known. */
+static const struct zs_shader *like(const struct zs_shader *of)
+{
+    return of == &zs_shade_lit_face                                             ? &zs_shade_flat
+           : of == &zs_shade_lit                                                ? &zs_shade_smooth
+           : of == &zs_shade_cutout                                             ? &zs_shade_texture
+           : of == &zs_shade_cutout_flat                                        ? &zs_shade_texture_flat
+           : of == &zs_shade_cutout_smooth || of == &zs_shade_texture_gloss ? &zs_shade_texture_smooth
+                                                                                : NULL;
+}
+
+const struct zs_shader *sim_costs_plain(const struct zs_shader *of)
+{
+    return opaque(of) != NULL ? opaque(of) : like(of);
+}
+
+static int is_lit(const struct zs_shader *of)
+{
+    return of == &zs_shade_lit_face || of == &zs_shade_lit || of == &zs_shade_texture_gloss;
+}
+
 static void copy_shader(struct our_shader *s, const struct zs_shader *of)
 {
-    const int texture = of == &zs_shade_texture || of == &zs_shade_texture_flat || of == &zs_shade_texture_smooth;
+    s->blends = opaque(of) != NULL;
+    of = s->blends ? opaque(of) : of;
+    s->like = s->blends ? of : like(of);
+    const struct zs_shader *plain = s->like ? s->like : of;
+    const int texture = plain == &zs_shade_texture || plain == &zs_shade_texture_flat ||
+                        plain == &zs_shade_texture_smooth;
     s->shader = *of;
     s->of = of;
-    s->kind = texture ? KIND_TEXTURE : of == &zs_shade_smooth ? KIND_SMOOTH : KIND_SOLID;
-    s->vertex = of == &zs_shade_smooth           ? SIM_COST_light_smooth
-                : of == &zs_shade_texture_smooth ? SIM_COST_light_texture
-                                                 : SIM_COST_attr_texture;
-    s->face = of == &zs_shade_flat || of == &zs_shade_texture_flat ? SIM_COST_face_flat : SIM_COST_N;
+    s->kind = texture ? KIND_TEXTURE : plain == &zs_shade_smooth ? KIND_SMOOTH : KIND_SOLID;
+    s->vertex = of == &zs_shade_lit                 ? SIM_COST_lit_vertex
+                : of == &zs_shade_texture_gloss     ? SIM_COST_gloss_vertex
+                : plain == &zs_shade_smooth         ? SIM_COST_light_smooth
+                : plain == &zs_shade_texture_smooth ? SIM_COST_light_texture
+                                                    : SIM_COST_attr_texture;
+    s->face = of == &zs_shade_lit_face                                         ? SIM_COST_lit_face
+              : plain == &zs_shade_flat || plain == &zs_shade_texture_flat ? SIM_COST_face_flat
+                                                                               : SIM_COST_N;
     s->shader.vertex = of->vertex ? on_vertex : NULL;
     s->shader.face = on_face;
     s->shader.start = of->start ? on_start : NULL;
     s->shader.run = on_run;
     s->shader.light = of->light ? on_light : NULL;
+    s->shader.span = of->span;
 }
 
 static void copy_texel(struct our_texel *x, const struct zs_texel *of)
@@ -807,7 +889,7 @@ static const struct zs_fast *listed(const struct zs_fast *const *list, const str
 
 static void copy_fast(struct thing *t, const struct zs_fast *const *list)
 {
-    const struct zs_fast *of = listed(list, t->shader.of, NULL);
+    const struct zs_fast *of = t->shader.blends ? NULL : listed(list, t->shader.of, NULL);
     if (of)
         t->fast.fast = *of;
     t->fast.of = of;
@@ -825,19 +907,31 @@ static void copy_fast(struct thing *t, const struct zs_fast *const *list)
     t->texel_fast.texel = &t->texel_hooks;
 }
 
+/* The format with as many bits that has no alpha. */
+static const struct zs_texel *opaque_texel(const struct zs_texel *of)
+{
+    return of == &zs_texel_4444 ? &zs_texel_565 : of == &zs_texel_pal8a ? &zs_texel_pal8 :
+        of == &zs_texel_pal4a ? &zs_texel_pal4 : of;
+}
+
 static void copy(struct zs_instance *in, struct thing *t, const struct zs_fast *const *list)
 {
     const struct zs_texture *texture = in->material->texture;
-    t->material = *in->material;
+    const int lit = is_lit(in->material->shader);
+    struct zs_material *const material = lit ? &t->lit.material : &t->material;
+    if (lit)
+        t->lit = *(const struct zs_lit_material *)(const void *)in->material;
+    *material = *in->material;
     copy_shader(&t->shader, in->material->shader);
-    t->material.shader = &t->shader.shader;
+    t->shader.shines = lit && t->lit.shine;
+    material->shader = &t->shader.shader;
     if (texture && texture->format) {
         t->texture = *texture;
-        copy_texel(&t->texel, texture->format);
+        copy_texel(&t->texel, t->shader.blends ? opaque_texel(texture->format) : texture->format);
         t->texture.format = &t->texel.texel;
-        t->material.texture = &t->texture;
+        material->texture = &t->texture;
     }
-    in->material = &t->material;
+    in->material = material;
     copy_fast(t, list);
 }
 

@@ -192,7 +192,7 @@ static int draw_frame(struct job *job)
         if (err == ZS_OK && job->frame.no_keys)
             sim_frame_cover(&job->frame, job->id);
     }
-    if (err == ZS_OK && o->compare && sim_options_textured(o)) {
+    if (err == ZS_OK && o->compare && sim_options_textured(o) && o->effects.filter == SIM_FILTER_NEAREST) {
         job->texel = sim_alloc(pixels, sizeof *job->texel);
         err = sim_frame_texels(job->texel, &job->scene->scene, &job->scene->camera, &job->config);
     }

@@ -248,8 +248,12 @@ static int check_effects(const struct sim_options *o)
     const int lit = e->specular_text != NULL || e->per_pixel || e->n_lights > 0;
     if (!sim_effects_any(e))
         return SIM_OK;
-    if (o->reference || o->compare || o->id_out != NULL)
-        return sim_usage("effects have no reference and no numbers: leave --reference, --compare and --id-out out");
+    if (o->id_out != NULL)
+        return sim_usage("effects have no numbers: leave --id-out out");
+    const char *unknown = o->reference || o->compare ? sim_effects_unreferenced(e) : NULL;
+    if (unknown != NULL)
+        return sim_usage("%s is not known to the reference: leave it out, or --compare and --reference; lights, "
+                         "--specular, --per-pixel, --fog and --filter bilinear are compared", unknown);
     if (o->method != 0 || o->style != SIM_STYLE_SOLID)
         return sim_usage("effects are drawn by --method zbuffer and --style solid: leave those out");
     if (o->show != SIM_SHOW_FRAME || o->threads != 0 || (e->samples > 1 && o->depth_out != NULL))

@@ -4,9 +4,11 @@
  */
 #include "model_reference.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene_parts.h"
 #include "sim.h"
 
 static void channels(double out[3], struct zs_rgb c)
@@ -30,6 +32,31 @@ static int texture_shade(const struct sim_options *o)
                                                  : REF_SHADE_TEXTURE_SMOOTH;
 }
 
+/* Highlights and emission: by the options, or the material's own. */
+static void set_light(struct ref_triangle *to, const struct sim_material *material, const struct sim_options *o)
+{
+    const struct sim_effect_options *e = &o->effects;
+    const double gloss = rint(e->specular_strength * 255.0) / 255.0;
+    if (e->specular_text != NULL) {
+        to->power = (double)e->specular_power;
+        for (int k = 0; k < 3; k++)
+            to->specular[k] = gloss;
+    }
+    if (sim_scene_is_plain(o))
+        return;
+    if (o->shade_chosen && material->unlit) {
+        to->shade = to->texture != NULL ? REF_SHADE_TEXTURE : REF_SHADE_RAW;
+        return;
+    }
+    if (!sim_material_lights(material, to->texture != NULL) || to->shade == REF_SHADE_RAW ||
+        to->shade == REF_SHADE_TEXTURE || to->shade == REF_SHADE_TEXTURE_FLAT)
+        return;
+    to->power = material->power;
+    to->two_sided = material->two_sided;
+    channels(to->specular, material->specular);
+    channels(to->emission, material->emission);
+}
+
 static void fill(struct ref_triangle *to, const struct sim_model *model, uint32_t t,
                  const struct sim_options *o, const struct ref_texture *textures)
 {
@@ -40,6 +67,7 @@ static void fill(struct ref_triangle *to, const struct sim_model *model, uint32_
     to->raw = o->shade == SIM_SHADE_ID ? (uint16_t)(t + 1u) : zs_rgb565(rgb.r, rgb.g, rgb.b);
     to->shade = texture != NULL ? texture_shade(o) : plain_shade(o);
     to->texture = texture != NULL ? &textures[texture - model->texture] : NULL;
+    set_light(to, &model->material[model->tri_material[t]], o);
     const int two_sided = o->mesh == SIM_MESH_CONVERT && model->material[model->tri_material[t]].two_sided;
     to->cull = o->cull == ZS_CULL_BACK    ? two_sided ? REF_CULL_NONE : REF_CULL_BACK
                : o->cull == ZS_CULL_FRONT ? REF_CULL_FRONT
@@ -56,14 +84,15 @@ static void fill(struct ref_triangle *to, const struct sim_model *model, uint32_
         channels(to->rgb[0], rgb);
 }
 
-static struct ref_texture *textures_of(const struct sim_model *model)
+static struct ref_texture *textures_of(const struct sim_model *model, const struct sim_options *o)
 {
     struct ref_texture *all = sim_alloc(model->n_textures, sizeof *all);
     for (uint32_t i = 0; i < model->n_textures; i++) {
         const struct sim_texture *t = &model->texture[i];
         all[i] = (struct ref_texture){
             .width = (int)t->image.width, .height = (int)t->image.height, .rgb = t->image.rgb[0],
-            .clamp_u = (t->clamp & ZS_CLAMP_U) != 0, .clamp_v = (t->clamp & ZS_CLAMP_V) != 0
+            .clamp_u = (t->clamp & ZS_CLAMP_U) != 0, .clamp_v = (t->clamp & ZS_CLAMP_V) != 0,
+            .bilinear = o->effects.filter == SIM_FILTER_BILINEAR
         };
     }
     return all;
@@ -94,6 +123,58 @@ static void set_up(struct sim_original *out, struct ref_light *light, const stru
     out->depth.bits = (int)o->depth_bits;
 }
 
+static double cosine(double degrees)
+{
+    return cos(degrees * acos(-1.0) / 180.0);
+}
+
+static void set_lamp(struct ref_lamp *to, const struct sim_light *from, const struct sim_view *view,
+                     const struct sim_options *o)
+{
+    static const int kinds[] = {
+        [SIM_LIGHT_DIR] = REF_LAMP_DIR, [SIM_LIGHT_POINT] = REF_LAMP_POINT, [SIM_LIGHT_SPOT] = REF_LAMP_SPOT
+    };
+    *to = (struct ref_lamp){ .kind = kinds[from->kind], .range = from->range, .inner = cosine(SIM_SPOT_FULL),
+                             .outer = cosine(SIM_SPOT_DARK) };
+    channels(to->rgb, from->rgb);
+    for (int k = 0; k < 3; k++) {
+        to->at[k] = from->at[k];
+        to->aim[k] = view->at[k] - from->at[k];
+        to->rgb[k] *= o->diffuse;
+    }
+}
+
+/* Lamps in place of the light, where an option or a material asks for what only those have. */
+static void set_lamps(struct sim_original *out, struct ref_light *light, const struct sim_model *model,
+                      const struct sim_view *view, const struct sim_options *o)
+{
+    const struct sim_effect_options *e = &o->effects;
+    const struct sim_light plain = { .kind = SIM_LIGHT_DIR, .rgb = ZS_RGB(0xffffff),
+                                     .at = { view->light[0], view->light[1], view->light[2] } };
+    int wanted = e->n_lights > 0 || e->specular_text != NULL || e->per_pixel;
+    for (uint32_t i = 0; !sim_scene_is_plain(o) && i < model->n_materials; i++)
+        wanted |= sim_material_lights(&model->material[i], 0);
+    if (!wanted)
+        return;
+    for (int k = 0; k < e->n_lights; k++)
+        set_lamp(&out->lamp[k], &e->light[k], view, o);
+    if (e->n_lights == 0)
+        set_lamp(&out->lamp[0], &plain, view, o);
+    light->lamp = out->lamp;
+    light->n_lamps = e->n_lights > 0 ? e->n_lights : 1;
+    light->per_pixel = e->per_pixel;
+}
+
+static void set_fog(struct sim_original *out, struct ref_light *light, const struct sim_effect_options *e)
+{
+    if (e->fog == SIM_FOG_NONE)
+        return;
+    out->fog = (struct ref_fog){ .start = e->fog_start, .end = e->fog_end,
+                                 .density = e->fog == SIM_FOG_EXP ? e->fog_density : 0.0 };
+    channels(out->fog.rgb, e->fog_rgb);
+    light->fog = &out->fog;
+}
+
 static void report(void *user, size_t done, size_t total)
 {
     (void)user;
@@ -107,6 +188,8 @@ int sim_original_render(struct sim_original *out, const struct sim_model *model,
     memset(out, 0, sizeof *out);
     memset(&light, 0, sizeof light);
     set_up(out, &light, view, o);
+    set_lamps(out, &light, model, view, o);
+    set_fog(out, &light, &o->effects);
     const size_t n = (size_t)view->width * (size_t)view->height;
     out->image.rgb565 = sim_alloc(n, sizeof *out->image.rgb565);
     out->image.key = sim_alloc(n, sizeof *out->image.key);
@@ -118,7 +201,7 @@ int sim_original_render(struct sim_original *out, const struct sim_model *model,
         out->image.v = sim_alloc(n, sizeof *out->image.v);
         out->image.texel = sim_alloc(n, sizeof *out->image.texel);
         out->image.texture = sim_alloc(n, sizeof(void *));
-        out->texture = textures_of(model);
+        out->texture = textures_of(model, o);
     }
     struct ref_triangle *tris = sim_alloc(model->n_tris, sizeof *tris);
     for (uint32_t t = 0; t < model->n_tris; t++)

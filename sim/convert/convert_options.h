@@ -39,6 +39,7 @@ struct sim_convert_options {
     int no_face_normals, precise, dither, mipmap, bvh, help; /* flags */
     long texture_size[2];                       /* texels, most: powers of two */
     struct zs_rgb color;
+    int no_alpha;             /* flag: no material is transparent, and alpha of texels does nothing */
     int opaque;               /* flag: no material is transparent or has highlights, and alpha of texels does nothing */
     int by_material;          /* flag: unlit materials get a shader of their own */
     int has_color, has_unit;  /* flags */

@@ -85,9 +85,10 @@ static int is_flat(const struct work *w, const uint32_t tri[3])
 /* Blending costs more than a test, and that more than neither: where a material does not need it, it has none. */
 static void set_alpha(const struct work *w, struct sim_paint *paint, const struct sim_material *material)
 {
-    const int textured = paint->texture != SIM_NO_TEXTURE && !w->options->opaque;
+    const int has = !w->options->opaque && !w->options->no_alpha;
+    const int textured = paint->texture != SIM_NO_TEXTURE && has;
     const uint8_t texels = textured ? w->model->texture[paint->texture].alpha_mode : SIM_ALPHA_OPAQUE;
-    paint->alpha = material->alpha_mode == SIM_ALPHA_BLEND && !w->options->opaque ? material->alpha : 255;
+    paint->alpha = material->alpha_mode == SIM_ALPHA_BLEND && has ? material->alpha : 255;
     paint->alpha_mode = paint->alpha < 255 ? SIM_ALPHA_BLEND : texels;
 }
 
@@ -103,15 +104,20 @@ static int shows_on_texture(const struct sim_material *m)
            most_of(m->emission) >= SIM_TEXTURE_EMISSION_LEAST;
 }
 
+int sim_material_lights(const struct sim_material *m, int textured)
+{
+    const struct zs_rgb none = { 0, 0, 0 };
+    return textured ? shows_on_texture(m) : m->power > 0 || !same_rgb(m->emission, none);
+}
+
 /* Highlights and emission, where there is a shader for them. */
 static void set_light(const struct work *w, struct sim_paint *paint, const struct sim_material *material)
 {
-    const struct zs_rgb none = { 0, 0, 0 };
     const int smooth = paint->shader == SIM_SHADER_SMOOTH;
     const int flat = paint->shader == SIM_SHADER_FLAT && !w->options->no_face_normals;
-    const int textured = paint->shader == SIM_SHADER_TEXTURE_SMOOTH && shows_on_texture(material);
+    const int textured = paint->shader == SIM_SHADER_TEXTURE_SMOOTH;
     if (w->options->opaque || paint->alpha_mode != SIM_ALPHA_OPAQUE || !(smooth || flat || textured) ||
-        (material->power == 0 && same_rgb(material->emission, none)))
+        !sim_material_lights(material, textured))
         return;
     paint->lit = 1;
     paint->two_sided = material->two_sided;
@@ -194,7 +200,7 @@ static void lose_of(const struct work *w, const struct sim_material *m, const st
     const struct zs_rgb none = { 0, 0, 0 };
     if (m->two_sided && !paint->lit && paint->shader != SIM_SHADER_RAW && paint->shader != SIM_SHADER_TEXTURE)
         sim_lose(lost, SIM_LOST_TWO_SIDED, m->name);
-    if (m->alpha_mode != SIM_ALPHA_OPAQUE && w->options->opaque)
+    if (m->alpha_mode != SIM_ALPHA_OPAQUE && (w->options->opaque || w->options->no_alpha))
         sim_lose(lost, SIM_LOST_OPACITY, m->name);
     if (m->power > 0 && !paint->lit)
         sim_lose(lost,

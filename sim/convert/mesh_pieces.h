@@ -26,6 +26,9 @@ enum sim_shader {
 #define SIM_TEXTURE_SPECULAR_LEAST 43
 #define SIM_TEXTURE_EMISSION_LEAST 8
 
+/* Does a material have highlights or emission that are drawn, with a texture or without? */
+int sim_material_lights(const struct sim_material *material, int textured);
+
 /* A material as it will be written. */
 struct sim_paint {
     enum sim_shader shader;

@@ -26,12 +26,11 @@ static const enum sim_look looks[] = {
 };
 
 /* Options that draw all of a model their own way, or need to know what hides what. */
-static int is_opaque(const struct sim_options *o)
+int sim_scene_is_plain(const struct sim_options *o)
 {
     struct sim_effect_options e = o->effects;
     e.samples = 1; /* these go with everything */
-    return o->opaque || o->mesh == SIM_MESH_FILE || o->shade == SIM_SHADE_ID || o->compare ||
-           o->reference || o->method != 0 || o->style != 0 || o->show != SIM_SHOW_FRAME ||
+    return o->opaque || o->mesh == SIM_MESH_FILE || o->shade == SIM_SHADE_ID || o->method != 0 || o->style != 0 || o->show != SIM_SHOW_FRAME ||
            o->threads > 0 || sim_effects_any(&e);
 }
 
@@ -51,7 +50,8 @@ void sim_scene_wish(struct sim_convert_options *c, const struct sim_options *o)
     c->precise = o->precise;
     c->color = o->color;
     c->has_color = o->has_color;
-    c->opaque = is_opaque(o);
+    c->opaque = sim_scene_is_plain(o);
+    c->no_alpha = c->opaque || o->compare || o->reference; /* of which the reference knows nothing */
     c->by_material = o->shade_chosen && !c->opaque;
     if (o->has_texel)
         c->texels = texels[o->texel];

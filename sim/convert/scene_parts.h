@@ -11,6 +11,9 @@
 /* What the options of a conversion are that these options mean. Its command is NULL. */
 void sim_scene_wish(struct sim_convert_options *c, const struct sim_options *o);
 
+/* Is all of the model drawn opaque and without light of its materials' own, for an option's sake? */
+int sim_scene_is_plain(const struct sim_options *o);
+
 /* Load o->model as its conversion does; o->shade becomes the one that is chosen where none was named. With --mesh
  * convert its textures get the size that they will have. Return as sim_convert_load. */
 int sim_scene_load(struct sim_model *model, struct sim_options *o);

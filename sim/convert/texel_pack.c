@@ -250,7 +250,7 @@ int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const
     out->h = size[1];
     out->clamp = texture->clamp;
     sim_progress("texture", 0, 1);
-    const uint8_t mode = o->opaque ? SIM_ALPHA_OPAQUE : texture->alpha_mode;
+    const uint8_t mode = o->opaque || o->no_alpha ? SIM_ALPHA_OPAQUE : texture->alpha_mode;
     uint8_t *alpha = mode != SIM_ALPHA_OPAQUE ? shrink_alpha(&texture->image, size) : NULL;
     out->alpha_least = mode == SIM_ALPHA_MASK ? texture->alpha_least : 0;
     if (alpha != NULL)

@@ -159,3 +159,16 @@ int sim_effects_any(const struct sim_effect_options *e)
            e->filter != SIM_FILTER_NEAREST || e->samples > 1 || e->fog != SIM_FOG_NONE ||
            e->dither != SIM_DITHER_NONE || e->shadow != SIM_SHADOW_NONE || e->environment != NULL || e->mirror;
 }
+
+const char *sim_effects_unreferenced(const struct sim_effect_options *e)
+{
+    return e->has_alpha                        ? "--alpha"
+           : e->filter == SIM_FILTER_MIPMAP    ? "--filter mipmap"
+           : e->samples > 1                    ? "--samples 4"
+           : e->dither != SIM_DITHER_NONE      ? "--dither"
+           : e->shadow == SIM_SHADOW_PLANAR    ? "--shadow planar"
+           : e->shadow == SIM_SHADOW_MAP       ? "--shadow map"
+           : e->environment != NULL            ? "--environment"
+           : e->mirror                         ? "--mirror"
+                                               : NULL;
+}

@@ -10,6 +10,8 @@
 #include "zstrip.h"
 
 #define SIM_LIGHTS_MAX 4
+#define SIM_SPOT_FULL 18.0 /* degrees from a spot's axis up to which it is full, ... */
+#define SIM_SPOT_DARK 28.0 /* ... and from which on it is dark */
 
 enum sim_light_kind { SIM_LIGHT_DIR, SIM_LIGHT_POINT, SIM_LIGHT_SPOT };
 struct sim_light {
@@ -105,6 +107,8 @@ int sim_effects_take(struct sim_effect_options *e, double plain[3], int *has_pla
 int sim_effects_floor(const struct sim_effect_options *e);
 
 /* Does anything of it ask for more than the plain renderer does? */
+/* The first of them that the double-precision reference does not know, as it is written; NULL: it knows all. */
+const char *sim_effects_unreferenced(const struct sim_effect_options *e);
 int sim_effects_any(const struct sim_effect_options *e);
 
 #endif

@@ -35,8 +35,11 @@ static int make_fog(struct sim_effect_scene *out, const struct sim_scene *from, 
         fog->end = fog->end > fog->start ? fog->end : fog->start + 1;
     } else {
         const double end = 1.0 / (e->fog_density * unit);
+        if (end > INT32_MAX - 1)
+            return sim_refuse(o->model, 0, "--fog %s is too thin beside the model; its density can be %.3g or more",
+                              e->fog_text, 1.0 / (unit * (INT32_MAX - 1)));
         fog->curve = ZS_FOG_EXPONENTIAL;
-        fog->end = end > INT32_MAX ? INT32_MAX : end < 1.0 ? 1 : (int32_t)lrint(end);
+        fog->end = end < 1.0 ? 1 : (int32_t)lrint(end);
     }
     *next_hook(out) = (struct zs_resolve){ .draw = zs_fog_draw, .changes = zs_fog_changes, .ctx = fog };
     return SIM_OK;

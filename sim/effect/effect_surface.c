@@ -115,9 +115,6 @@ static void make_filtered(struct sim_effect_scene *out, uint32_t n, int filter)
 
 /* ---- Lights */
 
-#define SPOT_FULL 18.0 /* degrees from a spot's axis up to which it is full, ... */
-#define SPOT_DARK 28.0 /* ... and from which on it is dark */
-
 static void set_dir(zs_q2_30 out[3], const double of[3])
 {
     const double length = sqrt(of[0] * of[0] + of[1] * of[1] + of[2] * of[2]);
@@ -156,8 +153,8 @@ static int make_lamp(struct zs_lamp *lamp, const struct sim_light *of, const str
         if (aim[0] == 0.0 && aim[1] == 0.0 && aim[2] == 0.0)
             return sim_refuse(o->model, 0, "--light spot: it stands where it is aimed at; move it away from --at");
         set_dir(lamp->dir, aim);
-        lamp->inner = cosine(SPOT_FULL);
-        lamp->outer = cosine(SPOT_DARK);
+        lamp->inner = cosine(SIM_SPOT_FULL);
+        lamp->outer = cosine(SIM_SPOT_DARK);
     }
     return SIM_OK;
 }

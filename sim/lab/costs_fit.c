@@ -264,6 +264,8 @@ static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES
          "    double cost[SIM_CORES]; /* M0, M3, M4, M7, RV32, RP2040 */\n"
          "} stage_costs[] = {");
     for (int k = 0; k < N; k++) {
+        if (sim_effect_cost(SIM_CORE_M3, (enum sim_cost)k) >= 0.0)
+            continue;
         printf("    { \"%s\", {", sim_cost_names[k].name);
         for (int c = 0; c < SIM_CORES; c++)
             printf("%s %.2f", c ? "," : "", cost[c][k]);

@@ -270,6 +270,44 @@ effect small ball.obj --mirror --tris 100 --verts 120 --stats out/small.json
 is "triangles of --tris 100" "$(stat_of small tris_given)" 100
 same_png ample small
 
+# ---- Against the reference --------------------------------------------------------------------------------------------
+compared() { # NAME MOST OPTION...    codes of a channel, at most; a model is among the options
+    begin "compared_$1"
+    most=$2
+    shift 2
+    z render "$@" --out out/c.png --compare --stats out/c.json
+    [ $status -eq 0 ] || wrong "status $status: $(said)"
+    seen=$(sed -n 's/^ *"compare_channel_max_diff": \([0-9]*\).*/\1/p' out/c.json)
+    [ "${seen:-99}" -le "$most" ] || wrong "a channel is $seen codes off"
+    seen=$(sed -n 's/^ *"compare_psnr_db": \([0-9]*\).*/\1/p' out/c.json)
+    [ "${seen:-0}" -ge 38 ] || wrong "PSNR $seen dB"
+}
+lamps='--light point:40,80,90:ff8040:400 --light spot:-90,60,120:40ff80'
+compared highlights 1 ball.obj $plain --shade smooth --specular 20:0.8
+compared highlights_per_pixel 1 ball.obj $plain --shade smooth --per-pixel --specular 20:0.8
+# shellcheck disable=SC2086
+compared lamps 1 ball.obj $plain --shade smooth $lamps --specular 60:1
+# shellcheck disable=SC2086
+compared lamps_per_pixel 1 ball.obj $plain --shade smooth $lamps --specular 60:1 --per-pixel
+# shellcheck disable=SC2086
+compared lamps_of_faces 1 ball.obj $plain --shade flat $lamps
+compared fog_linear 1 ball.obj $plain --shade smooth --fog linear:60:180:8080ff
+compared fog_exponential 1 ball.obj $plain --fog exp:0.01:8080ff
+compared bilinear 2 card.obj $plain $bare --shade textured --texture two.png --texture-format 565 --filter bilinear
+# shellcheck disable=SC2086
+compared textures_in_lamps 2 card.obj $plain --shade textured --texture two.png --texture-format 565 $lamps \
+    --specular 9:0.5 --per-pixel
+echo 'newmtl shiny
+Kd 0.2 0.4 0.6
+Ks 0.8 0.8 0.8
+Ns 12
+Ke 0.2 0 0' >shiny.mtl
+{ echo 'mtllib shiny.mtl'; sed '0,/^f/s//usemtl shiny\nf/' ball.obj; } >shiny.obj
+compared highlights_of_materials 1 shiny.obj $plain --shade smooth
+z render shiny.obj $plain --shade smooth --out out/with.png
+z render ball.obj $plain --shade smooth --color 336699 --out out/without.png
+cmp -s out/with.png out/without.png && wrong 'the material does not shine'
+
 # ---- What is refused -------------------------------------------------------------------------------------------------
 refuse() { # NAME WHAT-THE-LINE-HOLDS MODEL OPTION...    nothing but --out
     begin "refused_$1"
@@ -292,6 +330,7 @@ refuse alpha '--alpha 2 is outside its range, 0 to 1' quad.obj --alpha 2
 refuse dither_flat 'RGB565 colours are dithered with --shade smooth' quad.obj --dither blue
 refuse shadow_from_below 'the light comes from below the floor' ball.obj --shade smooth --light 0,-1,0 --shadow planar
 refuse fog_too_far 'ends too far away' quad.obj --fog linear:0:1e20:ffffff
+refuse fog_too_thin 'too thin beside the model' quad.obj --fog exp:1e-12:ffffff
 refuse samples_of_a_large_frame 'at most 2048 px wide and high' quad.obj --samples 4 --size 3000x10
 usage light 'TYPE:X,Y,Z[:RRGGBB[:RANGE]]' render quad.obj --out refused/old.png --light sun:1,2,3
 usage light_color 'TYPE:X,Y,Z[:RRGGBB[:RANGE]]' render quad.obj --out refused/old.png --light spot:1,2,3:ff
@@ -306,6 +345,11 @@ usage samples_and_keys '--depth-out with --samples 4' render quad.obj --out refu
     --depth-out d.pgm
 usage effects_and_method 'effects are drawn by --method zbuffer' render quad.obj --out refused/old.png --samples 4 \
     --method painter
+for effect in '--alpha 0.5' '--samples 4' '--shadow planar' '--mirror'; do
+    # shellcheck disable=SC2086
+    usage "compared_$(echo "${effect%% [0-9p]*}" | tr -d -)" "${effect%% 0.5} is not known to the reference" render quad.obj \
+        --out refused/old.png $effect --compare
+done
 usage mirror_and_fog '--mirror leaves no keys' render quad.obj --out refused/old.png --mirror --fog exp:1:ffffff
 usage mirror_and_glass '--mirror covers transparent faces' render quad.obj --out refused/old.png --mirror --alpha 0.5
 usage environment_flat '--environment needs --shade smooth' render quad.obj --out refused/old.png --environment two.png

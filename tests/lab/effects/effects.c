@@ -86,6 +86,8 @@ static uint64_t taken(const struct zs_material *material, const struct zs_resolv
 
 static const struct zs_lamp lamp[1] = { { .dir = { 0, 0, ZS_Q30_ONE } } };
 static const struct zs_lamp point[1] = { { .kind = ZS_LAMP_POINT, .pos = { 0, 0, 40 } } };
+static const struct zs_lamp beside[1] = { { .dir = { 0, 1069655912, 93578768 } } }; /* no highlight reaches the eye */
+static const struct zs_lighting beside_light = { .lamp = beside, .n_lamps = 1 };
 static const struct zs_lighting far_light = { .lamp = lamp, .n_lamps = 1 },
                                 near_light = { .lamp = point, .n_lamps = 1 };
 static struct zs_shine shine;
@@ -235,6 +237,7 @@ static void colors(void)
 
 static void textures(void)
 {
+    const struct zs_rgb white = ZS_RGB(0xffffff);
     PLAIN("texture", zs_shade_texture)
     PLAIN("bilinear, 8 px a texel", zs_shade_bilinear)
     PLAIN("1 px a texel: bilinear", zs_shade_bilinear)
@@ -243,8 +246,15 @@ static void textures(void)
     PLAIN("matcap", zs_shade_matcap)
     BLEND("blend_texture", zs_blend_texture)
     LIT("texture_lit", zs_shade_texture_lit, far_light, 0, ((struct zs_rgb){ 0 }))
+    PLAIN("texture_smooth", zs_shade_texture_smooth)
+    LIT("texture_gloss", zs_shade_texture_gloss, far_light, &shine, white)
+    LIT("texture_gloss, no highlight", zs_shade_texture_gloss, beside_light, &shine, white)
+    LIT("texture_gloss_tinted", zs_shade_texture_gloss_tinted, far_light, &shine, white)
+    LIT("texture_phong", zs_shade_texture_phong, far_light, &shine, white)
+    BLEND("blend_texture_smooth", zs_blend_texture_smooth)
     texture.format = &zs_texel_4444;
     PLAIN("cutout, 4444", zs_shade_cutout)
+    PLAIN("cutout_smooth, 4444", zs_shade_cutout_smooth)
 }
 
 static void hooks(void)
@@ -275,6 +285,11 @@ static void vertices(void)
     LIT("a vertex: lit, point", zs_shade_lit, near_light, 0, ((struct zs_rgb){ 0 }))
     LIT("a vertex: phong, matt", zs_shade_phong, far_light, 0, ((struct zs_rgb){ 0 }))
     LIT("a vertex: texture_lit", zs_shade_texture_lit, far_light, 0, ((struct zs_rgb){ 0 }))
+    PLAIN("a vertex: texture_smooth", zs_shade_texture_smooth)
+    LIT("a vertex: texture_gloss", zs_shade_texture_gloss, far_light, &shine, white)
+    LIT("a vertex: gloss, no highlight", zs_shade_texture_gloss, beside_light, &shine, white)
+    LIT("a vertex: texture_gloss_tinted", zs_shade_texture_gloss_tinted, far_light, &shine, white)
+    LIT("a vertex: texture_phong", zs_shade_texture_phong, far_light, &shine, white)
     PLAIN("a vertex: matcap", zs_shade_matcap)
     PLAIN("a vertex: bilinear", zs_shade_bilinear)
     MAPPED("a vertex: shadowed_smooth", zs_shade_shadowed_smooth)
