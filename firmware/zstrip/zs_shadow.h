@@ -3,13 +3,14 @@
  *     flat  the thing's mesh, flattened onto a plane along the light. Exact edges, one plane, one
  *           light; memory for the flattened vertices
  *     disc  a dark disc below a thing: two triangles
- *     map   what a directional light sees, as keys in memory: shadows of all on all
+ *     map   what a light sees, as keys in memory: shadows of all on all
  *
  * SPDX-License-Identifier: MIT
  */
 #ifndef ZS_SHADOW_H
 #define ZS_SHADOW_H
 
+#include "zs_lights.h"
 #include "zs_shader.h"
 
 #ifdef __cplusplus
@@ -106,8 +107,10 @@ extern const struct zs_shader zs_shade_disc;
  *           be the screen's arena if zs_init is called before each use.
  * Time      the light's frame is drawn when something has moved: 1.05 million instructions on a
  *           Cortex-M3 for 128 x 128 texels and a torus of 672 triangles.
- * Limits    directional lights: an orthographic camera with zs_depth_linear. (A light at a point
- *           would need a second division for each pixel.)
+ * Lamps     a directional light's camera is orthographic. A spot light's is a perspective one along
+ *           its axis, as wide as its cone; a point light's is a perspective one towards what is to
+ *           throw shadows: beside that view nothing is in shadow. Only zs_shade_shadowed_lit and
+ *           zs_shade_shadowed_texture take perspective maps.
  * Looks     edges are steps of texels; `soft` makes ramps of a texel of them. With too little bias
  *           surfaces are striped with their own shadow (acne); with too much, shadows begin behind
  *           the feet of things (peter-panning). Take .slope_bias = 288, or 544 with `soft`: a
@@ -144,14 +147,15 @@ uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in
 /* Draw the map.
  *
  * map      key, w, h (and soft) set; the rest is.
- * r        w x h, set up with zs_depth_linear, without method and damage tracking. Its varyings are
- *          0 for casters. Accelerators help.
+ * r        w x h, set up with zs_depth_linear, or for a perspective camera zs_depth_recip, without
+ *          method and damage tracking. Its varyings are 0 for casters. Accelerators help.
  * casters  any scene; colours are drawn and dropped.
- * light    orthographic (zs_camera_orthographic, zs_camera_look_along). What is beside its view, or
- *          before near, is lit; what is beyond far throws no shadow.
+ * light    orthographic (zs_camera_orthographic, zs_camera_look_along); or perspective, at the
+ *          lamp: at most 127 degrees wide and high, near at most 15/16 of far, 16 depth bits. What
+ *          is beside its view, or before near, is lit; what is beyond far throws no shadow.
  * After    zs_invalidate for the renderers of the picture: they do not see that the map changed.
  * Return   as zs_render; ZS_ERR_NULL; ZS_ERR_SIZE: the map is not as large as r's frame;
- *          ZS_ERR_DEPTH: another mapping, or a method; ZS_ERR_CAMERA: a perspective camera;
+ *          ZS_ERR_DEPTH: another mapping, or a method; ZS_ERR_CAMERA: another perspective camera;
  *          ZS_ERR_SEQUENCE: damage tracking is on. With an error the map cannot be used. */
 int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
                        const struct zs_scene *casters, const struct zs_camera *light);
@@ -177,11 +181,34 @@ struct zs_shadowed_material {
  *          triangle in a strip finds the instance's place in the map anew. Flash: 3.1 KB in all.
  * Refused  ZS_ERR_NULL: no map, or it is not drawn; ZS_ERR_RANGE: steps too coarse; ZS_ERR_MESH:
  *          smooth without mesh.normal; ZS_ERR_VARYINGS: smooth needs 4, and so a library compiled
- *          with ZS_VARYINGS_MAX of 4 or more. */
+ *          with ZS_VARYINGS_MAX of 4 or more; ZS_ERR_CAMERA: a map by a perspective camera. */
 extern const struct zs_shader zs_shade_shadowed_flat;
 extern const struct zs_shader zs_shade_shadowed_smooth;
 #define ZS_VARYINGS_SHADOWED_FLAT 3u
 #define ZS_VARYINGS_SHADOWED_SMOOTH 4u
+
+/* The material of what may lie in the shadow of a lamp (zs_lights.h). */
+struct zs_shadowed_lit {
+    struct zs_lit_material lit;      /* its lighting has one lamp, the map's: at the camera of a
+                                        perspective map, along that of an orthographic one. shine
+                                        is not read; specular neither */
+    const struct zs_shadow_map *map; /* drawn */
+};
+
+/* A colour (material.rgb or mesh.face_rgb, rounded to RGB565), or a texture, times ambient light
+ * and the lamp's light at the vertices (Lambert, with its colour, cone and fading), of which the
+ * map says at each pixel how much arrives; and emission. Need mesh.normal.
+ *
+ * Exact    as above; a step is at most 1/4 texel where a perspective map's near is, and 64 keys.
+ *          The lamp's light is at most twice full, and rounded to 2^-15.
+ * Cost     a pixel 331 (M0: 621), of a perspective map 436 (877); on a texture about as much.
+ *          Flash, M3 -O2: 3 KB both, and 1.3 for places, beside those of lamps and textures.
+ * Refused  as above; and ZS_ERR_RANGE: another number of lamps; as zs_shade_lit; the texture as
+ *          zs_shade_texture. Varyings: 4, with a texture 6; compile with ZS_VARYINGS_MAX at least
+ *          that. */
+extern const struct zs_shader zs_shade_shadowed_lit, zs_shade_shadowed_texture;
+#define ZS_VARYINGS_SHADOWED_LIT 4u
+#define ZS_VARYINGS_SHADOWED_TEXTURE 6u
 
 #ifdef __cplusplus
 }

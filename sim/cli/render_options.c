@@ -266,17 +266,22 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat, smooth or textured");
     if ((e->per_pixel || e->specular_text != NULL) && !sim_options_smooth(o))
         return sim_usage("--specular and --per-pixel need --shade smooth or textured");
-    if (e->shadow == SIM_SHADOW_MAP && o->shade != SIM_SHADE_SMOOTH)
-        return sim_usage("--shadow map needs --shade smooth");
+    if (e->shadow == SIM_SHADOW_MAP && !sim_options_smooth(o))
+        return sim_usage("--shadow map needs --shade smooth or textured");
+    if (e->shadow == SIM_SHADOW_MAP && e->n_lights > 1)
+        return sim_usage("--shadow map is of one light: leave the other --light options out");
     if (e->environment != NULL && o->shade != SIM_SHADE_SMOOTH)
         return sim_usage("--environment needs --shade smooth, since it goes by normals");
     if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o))
         return sim_usage("--filter needs --shade textured, textured-flat or unlit");
-    if ((lit != 0) + e->has_alpha + (e->filter != SIM_FILTER_NEAREST) + (e->environment != NULL) +
-            (e->shadow == SIM_SHADOW_MAP) + (e->dither != SIM_DITHER_NONE && o->panel.name == NULL) >
+    const int mapped = e->shadow == SIM_SHADOW_MAP; /* of a light */
+    const int lit_alone = mapped ? e->specular_text != NULL || e->per_pixel : lit;
+    if (lit_alone + e->has_alpha + (e->filter != SIM_FILTER_NEAREST) + (e->environment != NULL) +
+            mapped + (e->dither != SIM_DITHER_NONE && o->panel.name == NULL) >
         1)
         return sim_usage("--alpha, --filter, --environment, --shadow map, --dither without a panel, and lights (typed "
-                         "ones, --specular, --per-pixel) each have a shader of their own: take one of them");
+                         "ones without --shadow map, --specular, --per-pixel) each have a shader of their own: take "
+                         "one of them");
     if (e->fog != SIM_FOG_NONE && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
         return sim_usage("--fog goes by depth keys, which transparent faces do not write: leave one out");
     if (e->shadow == SIM_SHADOW_PLANAR && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)

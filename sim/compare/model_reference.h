@@ -21,8 +21,8 @@ struct sim_original {
     struct ref_depth depth;
 };
 
-/* Draw it with the same camera, colours and light, with lights, highlights, fog and bilinear textures of the options and
- * with highlights and emission of materials. The model must outlive *out.
+/* Draw it with the same camera, colours and light, with lights, highlights, fog and bilinear textures of the options,
+ * and highlights and emission of materials. The model must outlive *out.
  * SIM_OK; SIM_REFUSED, said why, *out empty. */
 int sim_original_render(struct sim_original *out, const struct sim_model *model,
                         const struct sim_view *view, const struct sim_options *o);

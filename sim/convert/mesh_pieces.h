@@ -21,8 +21,8 @@ enum sim_shader {
     SIM_SHADER_TEXTURE_SMOOTH
 };
 
-/* Highlights on a texture take a shader without accelerators: from here on they are drawn, of 255. Under the usual lamp,
- * SIM_LIT_STRENGTH, their top then is an eighth of full light or more: four codes of 31. Emission: a code. */
+/* Highlights on a texture take a shader without accelerators: from here on they are drawn, of 255. Under the usual
+ * lamp, SIM_LIT_STRENGTH, their top is an eighth of full light or more then: four codes of 31. Emission: a code. */
 #define SIM_TEXTURE_SPECULAR_LEAST 43
 #define SIM_TEXTURE_EMISSION_LEAST 8
 

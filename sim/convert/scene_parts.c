@@ -30,7 +30,8 @@ int sim_scene_is_plain(const struct sim_options *o)
 {
     struct sim_effect_options e = o->effects;
     e.samples = 1; /* these go with everything */
-    return o->opaque || o->mesh == SIM_MESH_FILE || o->shade == SIM_SHADE_ID || o->method != 0 || o->style != 0 || o->show != SIM_SHOW_FRAME ||
+    return o->opaque || o->mesh == SIM_MESH_FILE || o->shade == SIM_SHADE_ID || o->method != 0 ||
+           o->style != 0 || o->show != SIM_SHOW_FRAME ||
            o->threads > 0 || sim_effects_any(&e);
 }
 

@@ -38,7 +38,8 @@ struct sim_effect_ground {
     struct zs_mirror mirror;
     struct zs_scene seen; /* in the mirror */
     struct sim_light_map map;
-    struct zs_shadowed_material *shadowed; /* of the floor, and of the model's parts */
+    struct zs_shadowed_material *shadowed; /* of the floor, and of the model's parts; or, in a lamp's light: */
+    struct zs_shadowed_lit *shadowed_lit;
 };
 
 /* Hooks over strips that are drawn, in this order. */

@@ -292,6 +292,8 @@ int sim_effect_surfaces(struct sim_effect_scene *out, uint32_t n, const struct s
 {
     const struct sim_effect_options *e = &o->effects;
     out->surface = sim_alloc(1, sizeof *out->surface);
+    if (e->shadow == SIM_SHADOW_MAP && (e->n_lights > 0 || sim_options_textured(o)))
+        return make_lighting(out->surface, from, view, o); /* the floor's surface is the model's, too */
     if (e->n_lights > 0 || e->specular_text != NULL || e->per_pixel)
         return make_lit(out, n, from, view, o);
     if (e->has_alpha)

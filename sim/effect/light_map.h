@@ -8,6 +8,8 @@
 #include "quantise.h"
 #include "zs_shadow.h"
 
+#include "zs_lights.h"
+
 #define SIM_LIGHT_MAP_SIZE 256
 
 struct sim_light_map {
@@ -15,9 +17,11 @@ struct sim_light_map {
     uint16_t *key; /* the map's */
 };
 
-/* Draw the map of the model's instances for scene->light. Return ZS_OK or an error; sim_light_map_free in either
- * case. */
-int sim_light_map_draw(struct sim_light_map *out, const struct sim_model *model, const struct sim_scene *scene);
+/* Draw the map of the model's instances for a lamp, or for scene->light where lamp is NULL. A spot light's view is its
+ * cone; a point light's is that of the model's sphere. Return ZS_OK or an error, ZS_ERR_NEAR where the lamp stands in
+ * the model's sphere or close to it; sim_light_map_free in either case. */
+int sim_light_map_draw(struct sim_light_map *out, const struct sim_model *model, const struct sim_scene *scene,
+                       const struct zs_lamp *lamp);
 void sim_light_map_free(struct sim_light_map *map);
 
 #endif

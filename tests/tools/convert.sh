@@ -74,16 +74,18 @@ compile() { # TO PROGRAM.c
 syntax() { # TO
     for compiler in 'g++ -x c++ -std=c++20' 'clang -std=c11' 'clang++ -x c++ -std=c++20'; do
         $compiler -Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers -fsyntax-only \
-            $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 || wrong "$compiler: $(head -c 400 cc.log)"
+            $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 ||
+            wrong "$compiler: $(head -c 400 cc.log)"
     done
     for compiler in 'g++ -x c++ -std=c++14' 'clang++ -x c++ -std=c++14'; do
-        $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only $(varyings_of "$1") -I"$top/firmware/zstrip" -include "$1/m.h" \
-            /dev/null >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
+        $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only $(varyings_of "$1") -I"$top/firmware/zstrip" \
+            -include "$1/m.h" /dev/null >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
     done
 }
 # What is printed as flash is what a Cortex-M's linker would take.
 same_flash() { # TO
-    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -c $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" -o "$1/arm.o" ||
+    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -c $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" \
+        -o "$1/arm.o" ||
         wrong "the Cortex-M compiler refuses it"
     linked=$(arm-none-eabi-nm -S --defined-only "$1/arm.o" |
         awk 'function hex(s,  i, n) {
@@ -196,8 +198,8 @@ one_road() { # NAME INPUT OPTION...    options of render and convert alike
     "$build/zsim" render "$@" $camera --strip 20 --out "$road/o.png" --stats "$road/o.json" >stdout.render 2>&1
     look json "$road/o.json" rejected_facing
     is "triangles that no cluster left out" "$seen" "$facing"
-    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c $(varyings_of "$road") -I"$top/firmware/zstrip" \
-        "$road/m.c" -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
+    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c $(varyings_of "$road") \
+        -I"$top/firmware/zstrip" "$road/m.c" -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
     linked=$(arm-none-eabi-size -A "$road/arm.o" | awk '/^\.(text|rodata|data|bss)/ { sum += $2 } END { print sum }')
     "$build/zsim" budget "$@" --csv >stdout 2>stderr || wrong "$(cat stderr)"
     is "scene data of zsim budget" "$(awk -F, '$1 == "flash_data" { print $2 }' stdout)" "$linked"

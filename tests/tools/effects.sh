@@ -236,6 +236,34 @@ darker 0.25 0.5
 effect colored ball.obj $plain --light 0,0,1 --shadow map --shade smooth --color ff0000
 pixel colored 120 120 ff0000
 
+# Lamps: the shadow lies where a flattened one does; a spot lights its cone alone; textures are shadowed, too
+begin shadow_map_of_lamps
+for lamp in point:150,150,0 spot:150,150,0 dir:1,1,0; do
+    effect lamp ball.obj $top --light $lamp --shadow map --shade smooth
+    look codes out/lamp.png 21 121 3 1
+    dark=$seen
+    look codes out/lamp.png 208 121 3 1
+    [ "${lamp%%:*}" != spot ] && darker 0.2 0.6
+    effect flattened ball.obj $top --light $lamp --shadow planar --shade smooth
+done
+effect white ball.obj $top --light point:150,150,0:ffffff --shadow map --shade smooth
+effect red ball.obj $top --light point:150,150,0:ff0000 --shadow map --shade smooth
+look codes out/white.png 208 121 3 1
+dark=${seen%% *}
+look codes out/red.png 208 121 3 1
+[ "${seen%% *}" = "$dark" ] || wrong "red light has another red: $seen, $dark"
+begin shadow_map_on_textures # the upper card's shadow on the lower one
+obj steps 'v -50 0 50' 'v 50 0 50' 'v 50 0 -50' 'v -50 0 -50' 'v -20 40 20' 'v 20 40 20' 'v 20 40 -20' 'v -20 40 -20' \
+    'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' 'f 1/1 2/2 3/3 4/4' 'f 5/1 6/2 7/3 8/4'
+for lamp in --light\ 1,1,0 '--light point:120,150,0'; do
+    # shellcheck disable=SC2086
+    effect steps steps.obj $top $lamp --shadow map --shade textured --texture two.png --wrap clamp
+    look codes out/steps.png 84 119 3 2
+    dark=$seen
+    look codes out/steps.png 84 86 3 2
+    darker 0.2 0.62
+done
+
 # ---- Reflection ------------------------------------------------------------------------------------------------------
 ./fixture png rgb sphere.png 2 1 ff0000 0000ff
 begin environment_by_normals
@@ -270,7 +298,7 @@ effect small ball.obj --mirror --tris 100 --verts 120 --stats out/small.json
 is "triangles of --tris 100" "$(stat_of small tris_given)" 100
 same_png ample small
 
-# ---- Against the reference --------------------------------------------------------------------------------------------
+# ---- Against the reference -------------------------------------------------------------------------------------------
 compared() { # NAME MOST OPTION...    codes of a channel, at most; a model is among the options
     begin "compared_$1"
     most=$2
@@ -347,13 +375,18 @@ usage effects_and_method 'effects are drawn by --method zbuffer' render quad.obj
     --method painter
 for effect in '--alpha 0.5' '--samples 4' '--shadow planar' '--mirror'; do
     # shellcheck disable=SC2086
-    usage "compared_$(echo "${effect%% [0-9p]*}" | tr -d -)" "${effect%% 0.5} is not known to the reference" render quad.obj \
-        --out refused/old.png $effect --compare
+    usage "compared_$(echo "${effect%% [0-9p]*}" | tr -d -)" "${effect%% 0.5} is not known to the reference" \
+        render quad.obj --out refused/old.png $effect --compare
 done
 usage mirror_and_fog '--mirror leaves no keys' render quad.obj --out refused/old.png --mirror --fog exp:1:ffffff
 usage mirror_and_glass '--mirror covers transparent faces' render quad.obj --out refused/old.png --mirror --alpha 0.5
 usage environment_flat '--environment needs --shade smooth' render quad.obj --out refused/old.png --environment two.png
-usage shadow_map_flat '--shadow map needs --shade smooth' render quad.obj --out refused/old.png --shadow map
+usage shadow_map_flat '--shadow map needs --shade smooth or textured' render quad.obj --out refused/old.png --shadow map
+usage shadow_map_of_two '--shadow map is of one light' render quad.obj --out refused/old.png --shade smooth \
+    --shadow map --light dir:1,2,3 --light point:1,2,300
+refuse shadow_map_from_inside 'move it to 78 or more' ball.obj --shade smooth --shadow map --light point:1,2,3
+refuse shadow_planar_from_beside 'the light is 21.2 above the floor, and the model reaches up to 121.2' ball.obj \
+    --light point:200,-40,0 --shadow planar
 usage fog_of_glass 'transparent faces do not write' render quad.obj --out refused/old.png --alpha 0.5 --fog exp:1:ffffff
 finish
 [ $n_failed -eq 0 ]

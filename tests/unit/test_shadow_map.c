@@ -468,7 +468,7 @@ static void errors(void **state)
     assert_int_equal(zs_shadow_map_draw(&s.map, NULL, &s.casters, &s.sun), ZS_ERR_NULL);
     assert_int_equal(zs_shadow_map_draw(&s.map, &r, NULL, &s.sun), ZS_ERR_NULL);
     assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, NULL), ZS_ERR_NULL);
-    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.camera), ZS_ERR_CAMERA);
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.camera), ZS_ERR_DEPTH);
     s.map.w++;
     assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_SIZE);
     s.map.w--;

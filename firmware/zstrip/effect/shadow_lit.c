@@ -10,108 +10,25 @@
  */
 #include "core/fx.h"
 #include "core/pass.h"
-#include "core/rotation.h"
-#include "core/usual.h"
+#include "effect/shadow.h"
 #include "shade/persp.h"
-#include "zs_shadow.h"
-
-#define STEP_MAX ((int64_t)1 << 30)     /* a quarter of a texel, q32 */
-#define KEY_STEP_MAX ((int64_t)1 << 22) /* 64 keys, q16 */
-#define TEXEL_FAR ((int64_t)1 << 30)    /* 2^14 texels, q16: beyond, no quarter texel brings back */
-#define KEY_FAR ((int64_t)1 << 30)      /* 2^22 keys, q8: the same */
-
-/* A cube's place in the map. */
-struct place {
-    int32_t u, v;     /* q16 texels */
-    int32_t z;        /* q8 keys */
-    int32_t step;     /* of a varying: q32 texels ... */
-    int32_t key_step; /* ... and q16 keys */
-};
 
 static const struct zs_shadow_map *map_of(const struct zs_instance *in)
 {
     return ((const struct zs_shadowed_material *)(const void *)in->material)->map;
 }
 
-/* log2 of half the cube's side in mesh steps: 2 .. 17. */
-static int32_t cube_log2(const struct zs_mesh *mesh)
-{
-    return 32 - zs_clz32(mesh->radius + 2u);
-}
-
-/* v * factor / 2^shift, held to +-2^40. |v| < 2^50, factor < 2^62, 0 <= shift <= 127. */
-static int64_t scaled(int64_t v, uint64_t factor, int32_t shift)
-{
-    const uint64_t size = (uint64_t)zs_size64(v);
-    if (128 - zs_clz64(size | 1u) - zs_clz64(factor | 1u) - shift > 40)
-        return v < 0 ? -((int64_t)1 << 40) : (int64_t)1 << 40;
-    return zs_mulshift_s64(v, factor, shift);
-}
-
-/* Set the steps of a varying. Return 0 if they are too coarse. */
-static int steps(struct place *at, const struct zs_instance *in, const struct zs_shadow_map *map)
-{
-    const uint64_t scale = zs_usual_scale(in);   /* q32 */
-    const int32_t up = 31 - cube_log2(in->mesh); /* a step is 2^(m - 15) mesh steps */
-    if (scale >> 48)
-        return 0; /* zs_frame_begin refuses it later */
-    const int64_t step = scaled((int64_t)scale, map->texels, map->texels_shift + up);
-    const int64_t key_step = scaled((int64_t)scale, map->keys, map->keys_shift + up);
-    if (step > STEP_MAX || key_step > KEY_STEP_MAX)
-        return 0;
-    at->step = (int32_t)step;
-    at->key_step = (int32_t)key_step;
-    return 1;
-}
-
-/* Find a cube's middle in the map. */
-static void middle(struct place *at, const struct zs_instance *in, const struct zs_shadow_map *map)
-{
-    const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
-    const uint64_t scale = zs_usual_scale(in);
-    zs_q2_30 both[9];
-    int32_t from[3], center[3];
-    int64_t c[3];
-    zs_rotation_mul(both, map->rot, rot);
-    for (int k = 0; k < 3; k++) {
-        from[k] = in->pose.pos[k] - map->pos[k];
-        center[k] = in->mesh->center[k];
-    }
-    for (int k = 0; k < 3; k++) /* right, down, distance from the light, q48_16: < 2^49 */
-        c[k] = zs_round_shift(zs_dot(map->rot + 3 * k, from), 14) +
-               zs_mulshift_s64(zs_dot(both + 3 * k, center), scale, 46);
-    const int32_t shift = map->texels_shift + 16;
-    at->u = (int32_t)zs_held64(scaled(c[0], map->texels, shift) + map->w * 32768, TEXEL_FAR);
-    at->v = (int32_t)zs_held64(scaled(c[1], map->texels, shift) + map->h * 32768, TEXEL_FAR);
-    at->z = (int32_t)zs_held64(scaled(c[2] - map->z_near, map->keys, map->keys_shift + 8), KEY_FAR);
-}
-
 /* ---- Vertices and faces ---------------------------------------------------------------------- */
-
-static void place_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
-{
-    const struct zs_instance *in = s->instance;
-    const struct zs_mesh *mesh = in->mesh;
-    const struct zs_shadow_map *map = map_of(in);
-    const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
-    const int32_t fine = 1 << (17 - cube_log2(mesh));
-    int32_t d[3], e[3];
-    for (int k = 0; k < 3; k++) /* beside the middle, 2^-25 of half the cube: |d| < 2^25 */
-        d[k] = ((mesh->pos[v][k] - mesh->center[k]) * 256 +
-                (mesh->pos_lo ? mesh->pos_lo[v][k] : 0)) *
-               fine;
-    for (int k = 0; k < 3; k++)
-        e[k] = (int32_t)zs_round_shift(zs_dot(rot + 3 * k, d), 30);
-    for (int k = 0; k < 3; k++) {
-        const int64_t at = zs_round_shift(zs_dot(map->rot + 3 * k, e), 40) + 32768; /* q15 */
-        out[k] = (uint16_t)(at < 0 ? 0 : at > 65535 ? 65535 : at);
-    }
-}
 
 /* What the light adds to the ambient light at a normal, at most 65535. */
 static uint16_t added(const struct zs_shading *s, const zs_q1_15 n[3])
 {
     return (uint16_t)zs_minu32(zs_light_intensity(s, n) - s->light->ambient, 65535u);
+}
+
+static void place_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+{
+    zs_shadow_vertex(s, map_of(s->instance), v, out);
 }
 
 static void smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
@@ -141,42 +58,13 @@ static void lit_start(struct zs_job *job)
 {
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_shadow_map *map = map_of(in);
-    struct place at = { 0 };
+    struct zs_shadow_place at = { 0 };
     zs_fragments_start(job);
-    (void)steps(&at, in, map); /* lit_check has tried them */
-    middle(&at, in, map);
+    (void)zs_shadow_steps(&at, in, map); /* lit_check has tried them */
+    zs_shadow_middle(&at, in, map);
     job->sampler.base[0] = (uint64_t)(uint32_t)at.u << 32 | (uint32_t)at.v;
     job->sampler.base[1] = (uint64_t)(uint32_t)at.z << 32 | (uint32_t)at.step;
     job->sampler.least_w = (uint32_t)at.key_step;
-}
-
-/* Return 1 if a key is lit in column i, row j of the map. Outside the map all are. */
-static inline int sees(const struct zs_shadow_map *map, int32_t i, int32_t j, int32_t key)
-{
-    if ((uint32_t)i >= map->w || (uint32_t)j >= map->h)
-        return 1;
-    const int32_t first = map->key[(uint32_t)j * map->w + (uint32_t)i];
-    return key <= first || first == (int32_t)ZS_DEPTH_CLEAR;
-}
-
-/* What of the light arrives, 0 .. 256. u, v: q16 texels. */
-static uint32_t share(const struct zs_shadow_map *map, int32_t u, int32_t v, int32_t key)
-{
-    if (!map->soft)
-        return sees(map, u >> 16, v >> 16, key) ? 256u : 0u;
-    const int32_t left = u - 32768, above = v - 32768; /* of the middles of four texels */
-    const int32_t i = left >> 16, j = above >> 16;
-    const uint32_t x = (uint32_t)left >> 12 & 15u, y = (uint32_t)above >> 12 & 15u;
-    uint32_t sum = 0;
-    if (sees(map, i, j, key))
-        sum += (16u - x) * (16u - y);
-    if (sees(map, i + 1, j, key))
-        sum += x * (16u - y);
-    if (sees(map, i, j + 1, key))
-        sum += (16u - x) * y;
-    if (sees(map, i + 1, j + 1, key))
-        sum += x * y;
-    return sum;
 }
 
 /* A lit channel as a code, 0 .. most, as zs_shade_flat rounds it. most <= 63 */
@@ -256,7 +144,7 @@ ZS_ALWAYS_INLINE void run(struct zs_job *job, const struct zs_row *row, int32_t 
         const int32_t key = moved(z, divided(at.c[2], w, rcp, lz), key_step, 8) >> 8;
         if (n == 4)
             diffuse = divided(at.c[3], w, rcp, lz);
-        const uint32_t light = ambient + (diffuse * share(map, x, y, key) >> 8);
+        const uint32_t light = ambient + (diffuse * zs_shadow_share(map, x, y, key) >> 8);
         if (light != now) {
             now = light;
             color = color_of(&rgb, light);
@@ -283,11 +171,13 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t fro
 static int lit_check(const struct zs_instance *in, const struct zs_config *config)
 {
     const struct zs_shadow_map *const map = map_of(in);
-    struct place at;
+    struct zs_shadow_place at;
     (void)config;
     if (!map || !map->key || !map->drawn)
         return ZS_ERR_NULL;
-    return steps(&at, in, map) ? ZS_OK : ZS_ERR_RANGE;
+    if (map->drawn == ZS_SHADOW_PERSPECTIVE)
+        return ZS_ERR_CAMERA;
+    return zs_shadow_steps(&at, in, map) ? ZS_OK : ZS_ERR_RANGE;
 }
 
 static int smooth_check(const struct zs_instance *in, const struct zs_config *config)

@@ -5,7 +5,7 @@
 #include "core/depth.h"
 #include "core/fx.h"
 #include "core/method.h"
-#include "zs_shadow.h"
+#include "effect/shadow.h"
 
 /* ---- What throws shadows --------------------------------------------------------------------- */
 
@@ -69,6 +69,25 @@ static void factor_set(uint64_t *factor, uint8_t *shift, uint32_t num, int32_t u
     *shift = (uint8_t)k;
 }
 
+/* The same of a perspective view: focal length, q16 px; far in [2^27, 2^28) units; the key of
+ * infinity, q8. A key is that times 1 - near / distance. */
+static void cone_set(struct zs_shadow_map *map, const struct zs_camera *light)
+{
+    const int32_t up = 28 - bits_of((uint64_t)light->z_far); /* -20 .. 27 */
+    map->texels = light->focal >> 16;
+    map->texels_shift = (uint8_t)(32 + up);
+    map->keys = zs_muldiv_u64(65535u * 256u, (uint64_t)light->z_far,
+                              (uint64_t)(light->z_far - light->z_near)); /* < 2^28.1 */
+}
+
+/* May a lamp have that view? */
+static int is_cone(const struct zs_camera *light, const struct zs_config *c)
+{
+    const uint64_t focal = light->focal >> 16; /* q16 */
+    return light->z_far - light->z_near >= light->z_far >> 4 && focal < (uint64_t)1 << 31 &&
+           focal * 4u >= (uint64_t)c->width << 16 && focal * 4u >= (uint64_t)c->height << 16;
+}
+
 /* Set what takes world units to texels and keys. */
 static ZS_NOINLINE void place_set(struct zs_shadow_map *map, const struct zs_renderer *r)
 {
@@ -80,6 +99,10 @@ static ZS_NOINLINE void place_set(struct zs_shadow_map *map, const struct zs_ren
         map->rot[6 + k] = -light->rot[6 + k];
     }
     map->z_near = light->z_near;
+    if (light->projection == ZS_PERSPECTIVE) {
+        cone_set(map, light);
+        return;
+    }
     factor_set(&map->texels, &map->texels_shift, map->h, 32, (uint64_t)light->height);
     factor_set(&map->keys, &map->keys_shift, (1u << r->config.depth_bits) - 1u, 16,
                (uint64_t)(light->z_far - light->z_near));
@@ -96,9 +119,10 @@ int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
     const struct zs_config *c = &r->config;
     if (map->w != c->width || map->h != c->height)
         return ZS_ERR_SIZE;
-    if (c->depth != &zs_depth_linear || c->method != &zs_method_buffer)
+    const int cone = light->projection == ZS_PERSPECTIVE;
+    if (c->depth != (cone ? &zs_depth_recip : &zs_depth_linear) || c->method != &zs_method_buffer)
         return ZS_ERR_DEPTH;
-    if (light->projection != ZS_ORTHOGRAPHIC)
+    if (cone && (!is_cone(light, c) || c->depth_bits != 16))
         return ZS_ERR_CAMERA;
     int err = zs_frame_begin(r, casters, light);
     if (err)
@@ -106,7 +130,7 @@ int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
     place_set(map, r);
     err = keys_taken(map, r);
     (void)zs_frame_end(r);
-    map->drawn = !err;
+    map->drawn = err ? 0 : cone ? ZS_SHADOW_PERSPECTIVE : ZS_SHADOW_ORTHOGRAPHIC;
     return err;
 }
 

@@ -34,7 +34,7 @@ ZS_RENDERER(sun, MAP, MAP, MAP, 16, 16, 0);
 
 /* ---- A card ------------------------------------------------------------------------------------------------------ */
 
-static uint16_t texels[2u << 2 * LOG2], palette[512], keys[MAP * MAP];
+static uint16_t texels[2u << 2 * LOG2], palette[512], keys[MAP * MAP], cone_keys[MAP * MAP];
 static struct zs_texture texture;
 static const zs_q1_15 normal[4][3] = {
     { -9000, 0, 31500 }, { 9000, 0, 31500 }, { 9000, 0, 31500 }, { -9000, 0, 31500 }
@@ -92,6 +92,9 @@ static const struct zs_lighting far_light = { .lamp = lamp, .n_lamps = 1 },
                                 near_light = { .lamp = point, .n_lamps = 1 };
 static struct zs_shine shine;
 static struct zs_shadow_map map = { .key = keys, .w = MAP, .h = MAP };
+static const struct zs_lamp above[1] = { { .kind = ZS_LAMP_POINT, .pos = { 0, 0, 340 } } };
+static const struct zs_lighting above_light = { .lamp = above, .n_lamps = 1 };
+static struct zs_shadow_map cone = { .key = cone_keys, .w = MAP, .h = MAP };
 static struct zs_fog fog = { .color = 0x8410, .start = 20, .end = 200 };
 static const struct zs_dither grey = { &zs_dither_grey4, &zs_dither_ordered },
                               mono = { &zs_dither_mono, &zs_dither_blue },
@@ -215,6 +218,16 @@ static void hook_row(const char *name, const struct zs_resolve *hook)
         row(name_, &m.material);                                                                                      \
     }
 
+#define LAMP_MAPPED(name_, shader_, lighting_, map_)                                                                  \
+    {                                                                                                                 \
+        const struct zs_shadowed_lit m = {                                                                            \
+            .lit = { .material = { .shader = &shader_, .rgb = ZS_RGB(0xc08040), .texture = &texture },                \
+                     .lighting = &lighting_ },                                                                        \
+            .map = &map_                                                                                              \
+        };                                                                                                            \
+        row(name_, &m.lit.material);                                                                                  \
+    }
+
 static void colors(void)
 {
     const struct zs_rgb none = ZS_RGB(0), white = ZS_RGB(0xffffff);
@@ -231,6 +244,8 @@ static void colors(void)
     PLAIN("smooth_ordered", zs_shade_smooth_ordered)
     MAPPED("shadowed_flat", zs_shade_shadowed_flat)
     MAPPED("shadowed_smooth", zs_shade_shadowed_smooth)
+    LAMP_MAPPED("shadowed_lit", zs_shade_shadowed_lit, far_light, map)
+    LAMP_MAPPED("shadowed_lit, point", zs_shade_shadowed_lit, above_light, cone)
     map.soft = 1;
     MAPPED("shadowed_smooth, soft", zs_shade_shadowed_smooth)
 }
@@ -251,6 +266,8 @@ static void textures(void)
     LIT("texture_gloss, no highlight", zs_shade_texture_gloss, beside_light, &shine, white)
     LIT("texture_gloss_tinted", zs_shade_texture_gloss_tinted, far_light, &shine, white)
     LIT("texture_phong", zs_shade_texture_phong, far_light, &shine, white)
+    LAMP_MAPPED("shadowed_texture, soft", zs_shade_shadowed_texture, far_light, map)
+    LAMP_MAPPED("shadowed_texture, point", zs_shade_shadowed_texture, above_light, cone)
     BLEND("blend_texture_smooth", zs_blend_texture_smooth)
     texture.format = &zs_texel_4444;
     PLAIN("cutout, 4444", zs_shade_cutout)
@@ -318,6 +335,11 @@ static int ready(void)
     screen_config.depth = &zs_depth_float;
     err = err ? err : ZS_INIT(sun);
     err = err ? err : zs_shadow_map_draw(&map, &sun, &scene, &camera);
+    err = err ? err : zs_camera_perspective(&camera, ZS_DEGREES(80), MAP, 300, 1300);
+    err = err ? err : zs_camera_look_along(&camera, above[0].pos, along, up);
+    sun_config.depth = &zs_depth_recip;
+    err = err ? err : ZS_INIT(sun);
+    err = err ? err : zs_shadow_map_draw(&cone, &sun, &scene, &camera);
     err = err ? err : zs_camera_perspective(&camera, ZS_DEGREES(90), H, 8, 4000);
     return err ? err : zs_fog_set(&fog, &screen_config, &camera);
 }

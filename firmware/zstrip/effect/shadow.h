@@ -1,0 +1,69 @@
+/* Shadow maps: what the shaders that look one up share. Internal.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_EFFECT_SHADOW_H
+#define ZS_EFFECT_SHADOW_H
+
+#include "core/fx.h"
+#include "zs_shadow.h"
+
+/* Of zs_shadow_map.drawn: by which camera. */
+#define ZS_SHADOW_ORTHOGRAPHIC 1
+#define ZS_SHADOW_PERSPECTIVE 2
+
+/* log2 of half the cube's side in mesh steps: 2 .. 17. */
+static inline int32_t zs_shadow_cube_log2(const struct zs_mesh *mesh)
+{
+    return 32 - zs_clz32(mesh->radius + 2u);
+}
+
+/* Varyings of a vertex: its place in the cube around the instance's sphere, along the map's axes */
+void zs_shadow_vertex(const struct zs_shading *s, const struct zs_shadow_map *map, uint32_t v,
+                      uint16_t out[3]);
+
+/* A cube's place in the map; a point is at its middle + (varying - 32768) * step. */
+struct zs_shadow_place {
+    int32_t u, v;     /* q16 texels ... */
+    int32_t z;        /* ... and q8 keys; perspective: right, down, distance, in units of the map */
+    int32_t step;     /* of a varying: q32 texels ...; perspective: q16 units ... */
+    int32_t key_step; /* ... and q16 keys; perspective: near, units */
+};
+/* Set step and key_step. Return 0 if they are too coarse. */
+int zs_shadow_steps(struct zs_shadow_place *at, const struct zs_instance *in,
+                    const struct zs_shadow_map *map);
+/* Set the rest. */
+void zs_shadow_middle(struct zs_shadow_place *at, const struct zs_instance *in,
+                      const struct zs_shadow_map *map);
+
+/* Return 1 if a key is lit in column i, row j of the map. Outside the map all are. */
+static inline int zs_shadow_sees(const struct zs_shadow_map *map, int32_t i, int32_t j, int32_t key)
+{
+    if ((uint32_t)i >= map->w || (uint32_t)j >= map->h)
+        return 1;
+    const int32_t first = map->key[(uint32_t)j * map->w + (uint32_t)i];
+    return key <= first || first == (int32_t)ZS_DEPTH_CLEAR;
+}
+
+/* What of the light arrives, 0 .. 256. u, v: q16 texels. */
+static inline uint32_t zs_shadow_share(const struct zs_shadow_map *map, int32_t u, int32_t v,
+                                       int32_t key)
+{
+    if (!map->soft)
+        return zs_shadow_sees(map, u >> 16, v >> 16, key) ? 256u : 0u;
+    const int32_t left = u - 32768, above = v - 32768; /* of the middles of four texels */
+    const int32_t i = left >> 16, j = above >> 16;
+    const uint32_t x = (uint32_t)left >> 12 & 15u, y = (uint32_t)above >> 12 & 15u;
+    uint32_t sum = 0;
+    if (zs_shadow_sees(map, i, j, key))
+        sum += (16u - x) * (16u - y);
+    if (zs_shadow_sees(map, i + 1, j, key))
+        sum += x * (16u - y);
+    if (zs_shadow_sees(map, i, j + 1, key))
+        sum += (16u - x) * y;
+    if (zs_shadow_sees(map, i + 1, j + 1, key))
+        sum += x * y;
+    return sum;
+}
+
+#endif

@@ -1,0 +1,377 @@
+/* Shadow maps of lamps, directional, of a point and of a spot, on colours and on textures: what is lit, what is dark,
+ * against rays to the lamp in doubles; the colours of either, against the shaders that know no shadows.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cases.h"
+#include "picture.h"
+#include "zs_shadow.h"
+
+#define BOXES 4
+#define THINGS (BOXES + 1)
+#define MAP 160
+#define W 80
+#define H 60
+#define PI 3.14159265358979323846
+
+static const int16_t box_pos[8][3] = { { -50, -50, 50 },  { 50, -50, 50 },  { 50, 50, 50 },  { -50, 50, 50 },
+                                       { -50, -50, -50 }, { 50, -50, -50 }, { 50, 50, -50 }, { -50, 50, -50 } };
+static const uint16_t box_tri[12][3] = { { 0, 1, 2 }, { 0, 2, 3 }, { 5, 4, 7 }, { 5, 7, 6 }, { 1, 5, 6 }, { 1, 6, 2 },
+                                         { 4, 0, 3 }, { 4, 3, 7 }, { 3, 2, 6 }, { 3, 6, 7 }, { 4, 5, 1 }, { 4, 1, 0 } };
+static const int16_t ground_pos[4][3] = { { -100, 0, 100 }, { 100, 0, 100 }, { 100, 0, -100 }, { -100, 0, -100 } };
+static const uint16_t ground_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+static const int16_t uv[8][2] = { { 0, 0 }, { 3000, 0 }, { 3000, 3000 }, { 0, 3000 },
+                                  { 900, 0 }, { 2000, 100 }, { 700, 900 }, { 100, 200 } };
+static const uint16_t texels[16] = { 0xffff, 0xf800, 0x07e0, 0x001f, 0xffe0, 0x07ff, 0xf81f, 0x8410,
+                                     0xc618, 0x4208, 0xffff, 0xfc10, 0x87f0, 0x841f, 0xfff0, 0x87ff };
+static const struct zs_texture texture = { .format = &zs_texel_565, .texel = texels, .log2_w = 2, .log2_h = 2 };
+static zs_q1_15 box_normal[8][3];
+static const zs_q1_15 ground_normal[4][3] = { { 0, 32767, 0 }, { 0, 32767, 0 }, { 0, 32767, 0 }, { 0, 32767, 0 } };
+static const struct zs_mesh box = { .pos = box_pos, .tri = box_tri, .normal = (const zs_q1_15(*)[3])box_normal,
+                                    .uv = uv, .uv_bits = 10, .n_verts = 8, .n_tris = 12, .radius = 87 },
+                            ground = { .pos = ground_pos, .tri = ground_tri, .normal = ground_normal, .uv = uv,
+                                       .uv_bits = 10, .n_verts = 4, .n_tris = 2, .radius = 142 };
+
+struct place {
+    struct zs_instance thing[THINGS], caster[THINGS];
+    struct zs_shadowed_lit material;
+    struct zs_lighting lighting;
+    struct zs_lamp lamp;
+    struct zs_shadow_map map;
+    struct zs_depth_state bias;
+    struct zs_scene scene, casters;
+    struct zs_camera camera, light;
+    uint16_t key[MAP * MAP];
+};
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void set_lamp(struct place *s, struct prng *p, int kind)
+{
+    const int32_t from[3] = { prng_range(p, -700, 700), prng_range(p, 900, 1500), prng_range(p, -700, 700) };
+    const double far = sqrt((double)from[0] * from[0] + (double)from[1] * from[1] + (double)from[2] * from[2]);
+    s->lamp = (struct zs_lamp){ .kind = (uint8_t)kind, .strength = ZS_Q16_ONE / 4 * 3 };
+    if (prng_pick(p, 2))
+        s->lamp.range = 4000;
+    for (int k = 0; k < 3; k++) {
+        s->lamp.pos[k] = from[k];
+        s->lamp.dir[k] = (zs_q2_30)lrint((kind == ZS_LAMP_SPOT ? -1.0 : 1.0) * from[k] / far * ZS_Q30_ONE);
+    }
+    s->lamp.inner = (zs_q2_30)lrint(cos(20 * PI / 180) * ZS_Q30_ONE);
+    s->lamp.outer = (zs_q2_30)lrint(cos(30 * PI / 180) * ZS_Q30_ONE);
+}
+
+static int place_make(struct place *s, struct prng *p)
+{
+    static const struct place none;
+    *s = none;
+    for (int v = 0; v < 8; v++)
+        for (int a = 0; a < 3; a++)
+            box_normal[v][a] = (zs_q1_15)(box_pos[v][a] * 18918 / 50);
+    const int kind = prng_pick(p, 3);
+    set_lamp(s, p, kind);
+    s->lighting = (struct zs_lighting){ .lamp = &s->lamp, .n_lamps = 1, .ambient = ZS_RGB(0x404040) };
+    s->material = (struct zs_shadowed_lit){
+        .lit = { .material = { .shader = &zs_shade_shadowed_lit, .rgb = ZS_RGB(0xf0e0d0), .texture = &texture },
+                 .lighting = &s->lighting, .emission = ZS_RGB(0x000810) },
+        .map = &s->map
+    };
+    for (int k = 0; k < THINGS; k++) {
+        struct zs_instance *in = &s->thing[k];
+        in->mesh = k ? &box : &ground;
+        in->material = &s->material.lit.material;
+        zs_pose_identity(&in->pose);
+        in->pose.scale = (zs_uq16_16)(k ? prng_range(p, 60000, 130000) : 6 * 65536);
+        if (k) {
+            zs_pose_turn(&in->pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), (zs_turn)prng_next(p));
+            for (int a = 0; a < 3; a++)
+                in->pose.pos[a] = a == 1 ? prng_range(p, 180, 350) : prng_range(p, -330, 330);
+        }
+    }
+    s->map = (struct zs_shadow_map){ .key = s->key, .w = MAP, .h = MAP, .soft = (uint8_t)prng_pick(p, 2) };
+    s->bias = (struct zs_depth_state){ .bias = 8, .slope_bias = 544 };
+    const int32_t at[3] = { 0, 60, 0 }, up[3] = { 1, 2, 3 };
+    int32_t along[3];
+    for (int k = 0; k < 3; k++)
+        along[k] = at[k] - s->lamp.pos[k];
+    int err = kind == ZS_LAMP_DIRECTIONAL ? zs_camera_orthographic(&s->light, 2000, 200, 4000)
+                                          : zs_camera_perspective(&s->light, ZS_DEGREES(80), MAP, 300, 4000);
+    err = err ? err : zs_camera_look_along(&s->light, s->lamp.pos, along, up);
+    for (int k = 0; !err && kind == ZS_LAMP_DIRECTIONAL && k < 3; k++)
+        s->lamp.dir[k] = s->light.rot[6 + k];
+    err = err ? err : zs_camera_perspective(&s->camera, ZS_DEGREES(50), H, 100, 20000);
+    err = err ? err : zs_camera_orbit(&s->camera, at, prng_range(p, 1100, 1500), (zs_turn)prng_next(p),
+                                      (int16_t)prng_range(p, 3000, 12000));
+    s->scene = (struct zs_scene){ .instance = s->thing, .n_instances = THINGS, .background = 0x001f };
+    s->casters = (struct zs_scene){ .instance = s->caster,
+                                    .n_instances = zs_shadow_casters(s->caster, s->thing, THINGS, &s->bias) };
+    return err;
+}
+
+static int map_draw(struct place *s, struct prng *p)
+{
+    struct zs_config c = { .width = MAP, .height = MAP, .strip_h = MAP, .max_tris = 200, .max_verts = 200,
+                           .depth = s->lamp.kind == ZS_LAMP_DIRECTIONAL ? &zs_depth_linear : &zs_depth_recip };
+    struct zs_renderer r;
+    if (p)
+        picture_any_way(p, &c, 2, 6);
+    void *arena = malloc(zs_arena_bytes(&c));
+    int err = arena ? zs_init(&r, &c, arena, zs_arena_bytes(&c)) : -1;
+    err = err ? err : zs_shadow_map_draw(&s->map, &r, &s->casters, &s->light);
+    free(arena);
+    return err;
+}
+
+/* ---- Rays in doubles --------------------------------------------------------------------------- */
+
+struct face {
+    double at[3], e1[3], e2[3], n[3]; /* n: unit, outwards */
+};
+
+static struct face faces[12 * BOXES + 2];
+static int n_faces;
+
+static void faces_make(const struct place *s)
+{
+    n_faces = 0;
+    for (int k = 0; k < THINGS; k++) {
+        const struct zs_instance *in = &s->thing[k];
+        for (uint32_t t = 0; t < in->mesh->n_tris; t++) {
+            struct face *f = &faces[n_faces++];
+            double corner[3][3], length = 0;
+            for (int c = 0; c < 3; c++)
+                for (int a = 0; a < 3; a++) {
+                    const int16_t *v = in->mesh->pos[in->mesh->tri[t][c]];
+                    const zs_q2_30 *row = in->pose.rot + 3 * a;
+                    corner[c][a] = in->pose.pos[a] + in->pose.scale / 65536.0 *
+                                                         ((double)row[0] * v[0] + (double)row[1] * v[1] +
+                                                          (double)row[2] * v[2]) / ZS_Q30_ONE;
+                }
+            for (int a = 0; a < 3; a++) {
+                f->at[a] = corner[0][a];
+                f->e1[a] = corner[1][a] - corner[0][a];
+                f->e2[a] = corner[2][a] - corner[0][a];
+            }
+            for (int a = 0; a < 3; a++) {
+                f->n[a] = f->e1[(a + 1) % 3] * f->e2[(a + 2) % 3] - f->e1[(a + 2) % 3] * f->e2[(a + 1) % 3];
+                length += f->n[a] * f->n[a];
+            }
+            for (int a = 0; a < 3; a++)
+                f->n[a] /= sqrt(length);
+        }
+    }
+}
+
+/* How far along a ray its front is hit; INFINITY: not. */
+static double hit(const struct face *f, const double from[3], const double dir[3])
+{
+    double h[3], s[3], q[3];
+    for (int a = 0; a < 3; a++) {
+        h[a] = dir[(a + 1) % 3] * f->e2[(a + 2) % 3] - dir[(a + 2) % 3] * f->e2[(a + 1) % 3];
+        s[a] = from[a] - f->at[a];
+    }
+    for (int a = 0; a < 3; a++)
+        q[a] = s[(a + 1) % 3] * f->e1[(a + 2) % 3] - s[(a + 2) % 3] * f->e1[(a + 1) % 3];
+    const double det = dot(f->e1, h), u = dot(s, h) / det, v = dot(dir, q) / det;
+    return det <= 0 || u < 0 || v < 0 || u + v > 1 ? INFINITY : dot(f->e2, q) / det;
+}
+
+/* The face that is seen through a point of the picture, and where. NULL: none. */
+static const struct face *seen(const struct zs_camera *c, double x, double y, double at[3])
+{
+    const double focal = (double)c->focal / 4294967296.0, in[3] = { (x - W / 2.0) / focal, (H / 2.0 - y) / focal, -1 };
+    double from[3], dir[3], nearest = INFINITY;
+    const struct face *best = NULL;
+    for (int a = 0; a < 3; a++) {
+        from[a] = c->pos[a];
+        dir[a] = (c->rot[a] * in[0] + c->rot[3 + a] * in[1] + c->rot[6 + a] * in[2]) / ZS_Q30_ONE;
+    }
+    for (int k = 0; k < n_faces; k++)
+        if (hit(&faces[k], from, dir) < nearest) {
+            nearest = hit(&faces[k], from, dir);
+            best = &faces[k];
+        }
+    for (int a = 0; best && a < 3; a++)
+        at[a] = from[a] + nearest * dir[a];
+    return best;
+}
+
+enum { LIT = 1, DARK = 2 };
+
+/* Whether a point of a face is lit: both where the bias decides. texel: how wide one is there. */
+static int lit(const struct place *s, const double at[3], double texel)
+{
+    double from[3], dir[3], nearest = 2, away = 0, slope = 0;
+    int on = 0; /* flag: it lies on a face */
+    const int flat = s->lamp.kind == ZS_LAMP_DIRECTIONAL;
+    for (int a = 0; a < 3; a++) {
+        from[a] = flat ? at[a] + 3000.0 * s->lamp.dir[a] / ZS_Q30_ONE : s->lamp.pos[a];
+        dir[a] = at[a] - from[a];
+        away += dir[a] * dir[a];
+    }
+    away = sqrt(away);
+    for (int k = 0; k < n_faces; k++) {
+        const double t = hit(&faces[k], from, dir);
+        on |= fabs(t - 1) < 1e-6;
+        if (t < nearest) {
+            const double straight = -dot(faces[k].n, dir) / away;
+            nearest = t;
+            slope = sqrt(1 - straight * straight) / straight;
+        }
+    }
+    const double gap = (1 - nearest) * away;
+    if (!on)
+        return LIT | DARK; /* beyond an edge of a thing either may be seen */
+    return gap < 1e-6 * away ? LIT : gap > texel * (4 * slope + 4) + 4 ? DARK : LIT | DARK;
+}
+
+/* The same over a disc of some texels. */
+static int lit_around(const struct place *s, const struct face *f, const double at[3])
+{
+    double away = 0, to[3];
+    const int flat = s->lamp.kind == ZS_LAMP_DIRECTIONAL;
+    for (int a = 0; a < 3; a++) {
+        to[a] = flat ? s->lamp.dir[a] / (double)ZS_Q30_ONE : s->lamp.pos[a] - at[a];
+        away += to[a] * to[a];
+    }
+    away = sqrt(away);
+    const double straight = dot(f->n, to) / away;
+    const double texel = flat ? 2000.0 / MAP : away * 2 * tan(40 * PI / 180) / MAP * 1.4;
+    if (straight < 0.15)
+        return LIT | DARK; /* hardly lit at all */
+    double side[2][3];
+    const double length = sqrt(dot(f->e1, f->e1));
+    for (int a = 0; a < 3; a++)
+        side[0][a] = f->e1[a] / length;
+    for (int a = 0; a < 3; a++)
+        side[1][a] = f->n[(a + 1) % 3] * side[0][(a + 2) % 3] - f->n[(a + 2) % 3] * side[0][(a + 1) % 3];
+    int is = 0;
+    for (int k = 0; k < 121 && is != (LIT | DARK); k++) {
+        double moved[3];
+        for (int a = 0; a < 3; a++)
+            moved[a] = at[a] + texel / straight * 0.35 * ((k % 11 - 5) * side[0][a] + (k / 11 - 5) * side[1][a]);
+        is |= lit(s, moved, texel);
+    }
+    return is;
+}
+
+/* ---- Pictures ---------------------------------------------------------------------------------- */
+
+static int apart(uint16_t a, uint16_t b)
+{
+    const int r = abs((a >> 11) - (b >> 11)), g = abs((a >> 5 & 63) - (b >> 5 & 63)), u = abs((a & 31) - (b & 31));
+    return r > g ? (r > u ? r : u) : g > u ? g : u;
+}
+
+/* The same by a shader without shadows: in the lamp's light, or without it. */
+static struct picture plain(struct place *s, const struct zs_config *c, const struct zs_shader *shader, uint32_t lamps)
+{
+    const struct zs_shader *own = s->material.lit.material.shader;
+    s->material.lit.material.shader = shader;
+    s->lighting.n_lamps = lamps;
+    const struct picture is = picture_draw(c, &s->scene, &s->camera);
+    s->material.lit.material.shader = own;
+    s->lighting.n_lamps = 1;
+    return is;
+}
+
+static unsigned lights[3], darks[3];
+
+static int rays_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct place s;
+    CASE_CHECK(place_make(&s, &p) == ZS_OK);
+    CASE_CHECK(map_draw(&s, &p) == ZS_OK);
+    struct zs_config c = picture_config(W, H, &zs_depth_float);
+    c.varyings = 6;
+    const int textured = prng_pick(&p, 2);
+    if (textured)
+        s.material.lit.material.shader = &zs_shade_shadowed_texture;
+    const struct zs_shader *of = textured ? &zs_shade_texture_gloss : &zs_shade_lit;
+    struct picture bright = plain(&s, &c, of, 1), dim = plain(&s, &c, of, 0);
+    picture_any_way(&p, &c, 2, 6);
+    struct picture is = picture_draw(&c, &s.scene, &s.camera);
+    CASE_CHECK(is.err == ZS_OK && bright.err == ZS_OK && dim.err == ZS_OK);
+    faces_make(&s);
+    int right = 1;
+    for (int i = 0; right && i < W * H; i += 11) {
+        double at[3], beside[3];
+        const struct face *f = seen(&s.camera, i % W + 0.5, i / W + 0.5, at);
+        int sure = f != NULL;
+        for (int k = 0; sure && k < 4; k++)
+            sure = seen(&s.camera, i % W + 0.5 + (k & 1 ? 0.05 : -0.05), i / W + 0.5 + (k & 2 ? 0.05 : -0.05),
+                        beside) == f;
+        const int want = sure ? lit_around(&s, f, at) : LIT | DARK;
+        if (want == (LIT | DARK))
+            continue;
+        (want == LIT ? lights : darks)[s.lamp.kind]++;
+        const uint16_t as = want == LIT ? bright.color[i] : dim.color[i];
+        if (apart(is.color[i], as) > 1)
+            right = case_wrong("(%d, %d), lamp %d, textured %d, soft %d: %04x, not %04x; it should be %s", i % W, i / W,
+                               s.lamp.kind, textured, s.map.soft, is.color[i], as, want == LIT ? "lit" : "dark");
+    }
+    picture_free(&is);
+    picture_free(&bright);
+    picture_free(&dim);
+    return right;
+}
+
+static void rays(void **state)
+{
+    (void)state;
+    CASES(rays_case, 45);
+    printf("  pixels, all right: directional %u lit, %u dark; point %u, %u; spot %u, %u\n", lights[0], darks[0],
+           lights[1], darks[1], lights[2], darks[2]);
+    for (int k = 0; !getenv("ZS_SEED") && k < 3; k++)
+        assert_true(lights[k] > 500 && darks[k] > 50);
+}
+
+static void drawn_with(const struct place *s, const struct zs_config *c, int err)
+{
+    struct picture is = picture_draw(c, &s->scene, &s->camera);
+    assert_int_equal(is.err, err);
+    picture_free(&is);
+}
+
+/* What does not fit is refused by name. */
+static void refusals(void **state)
+{
+    (void)state;
+    static struct place s;
+    struct prng p = { 5 };
+    do
+        assert_int_equal(place_make(&s, &p), ZS_OK);
+    while (s.lamp.kind != ZS_LAMP_SPOT);
+    struct zs_config c = picture_config(W, H, &zs_depth_float);
+    c.varyings = 6;
+    drawn_with(&s, &c, ZS_ERR_NULL); /* the map is not drawn */
+    const struct zs_camera good = s.light;
+    s.light.z_near = s.light.z_far / 16 * 15 + 65536;
+    assert_int_equal(map_draw(&s, NULL), ZS_ERR_CAMERA);
+    s.light = good;
+    s.light.focal = (zs_uq32_32)(MAP / 4 - 1) << 32;
+    assert_int_equal(map_draw(&s, NULL), ZS_ERR_CAMERA);
+    s.light = good;
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    s.lighting.n_lamps = 0;
+    drawn_with(&s, &c, ZS_ERR_RANGE);
+    s.lighting.n_lamps = 1;
+    struct zs_shadowed_material old = { .material = { .shader = &zs_shade_shadowed_flat }, .map = &s.map };
+    s.thing[0].material = &old.material;
+    drawn_with(&s, &c, ZS_ERR_CAMERA); /* it knows orthographic maps alone */
+    s.thing[0].material = &s.material.lit.material;
+    s.light.z_near = 65536; /* a step is more than a quarter of a texel there */
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    drawn_with(&s, &c, ZS_ERR_RANGE);
+}
+
+static const struct CMUnitTest tests[] = { cmocka_unit_test(rays), cmocka_unit_test(refusals) };
+CASES_MAIN(tests)
