@@ -17,6 +17,7 @@
 #define PARTS(X)                                                                                           \
     X(zs_shade_raw) X(zs_shade_flat) X(zs_shade_smooth) X(zs_shade_texture) X(zs_shade_texture_flat)       \
     X(zs_shade_texture_smooth) X(zs_shade_lit) X(zs_shade_lit_face) X(zs_shade_cutout)                     \
+    X(zs_shade_texture_gloss)                                                                              \
     X(zs_shade_cutout_flat) X(zs_shade_cutout_smooth) X(zs_blend_raw) X(zs_blend_flat) X(zs_blend_smooth)  \
     X(zs_blend_texture) X(zs_blend_texture_flat) X(zs_blend_texture_smooth) X(zs_texel_565)                \
     X(zs_texel_pal8) X(zs_texel_pal4) X(zs_texel_4444) X(zs_texel_pal8a) X(zs_texel_pal4a)                 \
