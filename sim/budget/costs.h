@@ -153,7 +153,10 @@
     X(gloss_start, "set-up", "more for a highlight on a texture")                                               \
     X(gloss_px, "run", "more for a pixel of a highlight on a texture")                                          \
     X(cutout_px, "run", "more for a pixel whose texel may be clear")                                            \
-    X(blend_px, "pixel", "more for a pixel that is blended")
+    X(cutout_run, "run", "more for a run of those")                                                             \
+    X(blend_px, "run", "more for a pixel that is blended")                                                      \
+    X(blend_run, "run", "more for a run of those")                                                              \
+    X(blend_texel_run, "run", "more for a run of texels with alpha that are blended")
 
 #define SIM_COST_ENUM(name, stage, what) SIM_COST_##name,
 enum sim_cost { SIM_COSTS(SIM_COST_ENUM) SIM_COST_N };

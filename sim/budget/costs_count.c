@@ -39,7 +39,7 @@ struct our_shader {
     enum kind kind;
     enum sim_cost vertex, face;
     const struct zs_shader *like; /* the shader whose stages an effect's are made of; NULL: this is none */
-    int shines, blends;           /* flags: it has highlights; it is drawn as an opaque one, and blended */
+    int shines, blends;           /* flags: it has highlights; it is blended */
 };
 struct our_texel {
     struct zs_texel texel;
@@ -57,7 +57,8 @@ struct thing { /* an instance's copies */
     struct our_fast fast;      /* of the shader ... */
     struct zs_fast texel_fast; /* ... and of the texel format */
     struct zs_fast_texel texel_hooks;
-    struct zs_lit_material lit; /* an effect's whole material, where its shader has that */
+    struct zs_lit_material lit; /* an effect's whole material, ... */
+    struct zs_blend blend;      /* ... of one of these kinds, where its shader has that */
     struct zs_material material;
     struct zs_texture texture;
 };
@@ -558,9 +559,9 @@ static void on_ray_row(struct zs_job *job, const struct zs_row *row)
 
 static void copy_method(struct zs_config *config)
 {
+    if (!config->method || config->method == &zs_method_transparent)
+        return; /* the depth buffer's stages */
     now.method_of = config->method;
-    if (!config->method)
-        return;
     now.method = *config->method;
     now.method.begin = on_method_begin;
     now.method.list = on_method_list;
@@ -577,9 +578,9 @@ static void count_method(void)
 {
     const struct zs_stats *s = &now.r->stats;
     double *n = now.n;
+    n[SIM_COST_sorted] = s->sorted;
     if (!now.method_of)
         return;
-    n[SIM_COST_sorted] = s->sorted;
     n[SIM_COST_pair] = s->pairs;
     n[SIM_COST_setup_order] = is_order() ? s->tris_setup : 0;
     n[SIM_COST_tile] = s->tiles_tested;
@@ -591,10 +592,26 @@ static void count_method(void)
 
 #define NO_OCTAVES INT32_MIN /* job->w64_scale, where a triangle's keys lie in one */
 
+static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk);
+
+/* Texels that a format's other function has fetched, or that are taken to be. */
+static void count_alpha_texels(const struct zs_job *job, int32_t n)
+{
+    if (job->sampler.texture->format->fetch == on_fetch)
+        return; /* it counts them */
+    now.n[SIM_COST_fetch]++;
+    now.n[SIM_COST_fetch_565_px] += n;
+    now.n[SIM_COST_fetch_group] += job->sub_log2 != ZS_AFFINE;
+    if (job->sampler.unlit)
+        return;
+    now.n[SIM_COST_shine]++;
+    now.n[SIM_COST_shine_px] += n;
+}
+
 static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct our_shader *s = shader_of(job->shader);
-    const int untouched = job->split & ZS_SPLIT_TOUCH && !now.testing;
+    const int untouched = job->split & ZS_SPLIT_TOUCH && !now.testing, texels = s->kind == KIND_TEXTURE;
     const int plain = now.method_of && !is_hiz();
     now.n[plain ? SIM_COST_run_plain : SIM_COST_run]++;
     now.n[SIM_COST_run_untouched] += untouched;
@@ -614,10 +631,12 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
     }
     if (has_gloss(job, s))
         now.n[SIM_COST_gloss_px] += to - from;
-    if (s->of->span)
-        now.n[SIM_COST_cutout_px] += to - from;
-    if (s->blends)
-        now.n[SIM_COST_blend_px] += to - from;
+    if (s->of->span) {
+        now.n[s->blends ? SIM_COST_blend_px : SIM_COST_cutout_px] += to - from;
+        now.n[!s->blends ? SIM_COST_cutout_run : texels ? SIM_COST_blend_texel_run : SIM_COST_blend_run]++;
+    }
+    if (s->of->span && texels)
+        count_alpha_texels(job, to - from);
     now.job = job;
     now.own = job->shader;
     s->of->run(job, row, from, to);
@@ -827,12 +846,12 @@ static const struct zs_shader *like(const struct zs_shader *of)
            : of == &zs_shade_cutout                                             ? &zs_shade_texture
            : of == &zs_shade_cutout_flat                                        ? &zs_shade_texture_flat
            : of == &zs_shade_cutout_smooth || of == &zs_shade_texture_gloss ? &zs_shade_texture_smooth
-                                                                                : NULL;
+                                                                                : opaque(of);
 }
 
 const struct zs_shader *sim_costs_plain(const struct zs_shader *of)
 {
-    return opaque(of) != NULL ? opaque(of) : like(of);
+    return like(of);
 }
 
 static int is_lit(const struct zs_shader *of)
@@ -843,8 +862,7 @@ static int is_lit(const struct zs_shader *of)
 static void copy_shader(struct our_shader *s, const struct zs_shader *of)
 {
     s->blends = opaque(of) != NULL;
-    of = s->blends ? opaque(of) : of;
-    s->like = s->blends ? of : like(of);
+    s->like = like(of);
     const struct zs_shader *plain = s->like ? s->like : of;
     const int texture = plain == &zs_shade_texture || plain == &zs_shade_texture_flat ||
                         plain == &zs_shade_texture_smooth;
@@ -889,7 +907,7 @@ static const struct zs_fast *listed(const struct zs_fast *const *list, const str
 
 static void copy_fast(struct thing *t, const struct zs_fast *const *list)
 {
-    const struct zs_fast *of = t->shader.blends ? NULL : listed(list, t->shader.of, NULL);
+    const struct zs_fast *of = listed(list, t->shader.of, NULL);
     if (of)
         t->fast.fast = *of;
     t->fast.of = of;
@@ -907,27 +925,24 @@ static void copy_fast(struct thing *t, const struct zs_fast *const *list)
     t->texel_fast.texel = &t->texel_hooks;
 }
 
-/* The format with as many bits that has no alpha. */
-static const struct zs_texel *opaque_texel(const struct zs_texel *of)
-{
-    return of == &zs_texel_4444 ? &zs_texel_565 : of == &zs_texel_pal8a ? &zs_texel_pal8 :
-        of == &zs_texel_pal4a ? &zs_texel_pal4 : of;
-}
-
 static void copy(struct zs_instance *in, struct thing *t, const struct zs_fast *const *list)
 {
     const struct zs_texture *texture = in->material->texture;
     const int lit = is_lit(in->material->shader);
-    struct zs_material *const material = lit ? &t->lit.material : &t->material;
+    copy_shader(&t->shader, in->material->shader);
+    struct zs_material *const material = lit               ? &t->lit.material
+                                         : t->shader.blends ? &t->blend.material
+                                                            : &t->material;
     if (lit)
         t->lit = *(const struct zs_lit_material *)(const void *)in->material;
+    if (t->shader.blends)
+        t->blend = *(const struct zs_blend *)(const void *)in->material;
     *material = *in->material;
-    copy_shader(&t->shader, in->material->shader);
     t->shader.shines = lit && t->lit.shine;
     material->shader = &t->shader.shader;
     if (texture && texture->format) {
         t->texture = *texture;
-        copy_texel(&t->texel, t->shader.blends ? opaque_texel(texture->format) : texture->format);
+        copy_texel(&t->texel, texture->format);
         t->texture.format = &t->texel.texel;
         material->texture = &t->texture;
     }
@@ -1090,6 +1105,12 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
         copy(&instance[i], &things[i], config->fast);
     }
     copy_batch(config->fast);
+    for (size_t i = 0; i < n && !with.method; i++)
+        if (scene->instance[i].material->shader->layer) {
+            with.method = &zs_method_transparent;
+            with.max_tris = with.max_tris < 2 ? 2 : with.max_tris; /* its least pools */
+            with.max_verts = with.max_verts < 6 ? 6 : with.max_verts;
+        }
     copy_method(&with);
     const struct zs_fast **fast = list_of(config->fast, things, n);
     with.fast = fast;

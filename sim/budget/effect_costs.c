@@ -8,7 +8,8 @@
 #include "costs.h"
 #include "record_effects.h"
 
-#define STARTS_A_VERTEX 2.5 /* triangles set up in strips, to a vertex of the record's sheets */
+#define STARTS_A_VERTEX 2.5 /* triangles set up in strips, to a vertex of the record's sheets, ... */
+#define RUNS_A_VERTEX 9.2   /* ... and rows of triangles: 1920 more of 208 more vertices */
 
 static double of(const char *core, const char *name)
 {
@@ -43,8 +44,14 @@ static double on_record(enum sim_core base, const char *core, enum sim_cost cost
         return more(core, "texture_gloss", "texture_smooth");
     case SIM_COST_cutout_px:
         return more(core, "cutout_smooth, 4444", "texture_smooth");
+    case SIM_COST_cutout_run:
+        return more(core, "a vertex: cutout_smooth", "a vertex: texture_smooth") / RUNS_A_VERTEX;
     case SIM_COST_blend_px:
         return more(core, "blend_smooth", "smooth");
+    case SIM_COST_blend_run:
+        return more(core, "a vertex: blend_smooth", "a vertex: smooth") / RUNS_A_VERTEX;
+    case SIM_COST_blend_texel_run:
+        return more(core, "a vertex: blend_texture_smooth", "a vertex: texture_smooth") / RUNS_A_VERTEX;
     default:
         return -1.0;
     }
@@ -53,7 +60,7 @@ static double on_record(enum sim_core base, const char *core, enum sim_cost cost
 double sim_effect_cost(enum sim_core core, enum sim_cost cost)
 {
     static const char *const names[SIM_CORES] = { [SIM_CORE_M0] = "M0", [SIM_CORE_RP2040] = "RP2040" };
-    if (cost < SIM_COST_lit_vertex || cost > SIM_COST_blend_px)
+    if (cost < SIM_COST_lit_vertex || cost > SIM_COST_blend_texel_run)
         return -1.0;
     if (names[core] != NULL)
         return on_record(core, names[core], cost);

@@ -334,6 +334,32 @@ static void rays(void **state)
         assert_true(lights[k] > 500 && darks[k] > 50);
 }
 
+/* The place of an instance in the map takes the memory of a lit palette: accelerators must not take it for one. */
+static int palette_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct place s;
+    static uint8_t index[16];
+    for (int i = 0; i < 16; i++)
+        index[i] = (uint8_t)(i * 5 % 16);
+    const struct zs_texture lit_texture = { .format = &zs_texel_pal8, .texel = index, .palette = texels,
+                                            .n_colors = 16, .log2_w = 2, .log2_h = 2 };
+    const struct zs_material flat = { .shader = &zs_shade_texture_flat, .texture = &lit_texture };
+    CASE_CHECK(place_make(&s, &p) == ZS_OK);
+    CASE_CHECK(map_draw(&s, NULL) == ZS_OK);
+    s.thing[0].material = s.thing[2].material = s.thing[4].material = &flat;
+    for (int k = 1; k < THINGS; k++)
+        s.thing[k].pose = s.thing[1].pose; /* the same light on all faces, one after the other */
+    for (int k = 1; k < THINGS; k++)
+        s.thing[k].pose.pos[0] = 130 * k - 300;
+    struct zs_config c = picture_config(W, H, &zs_depth_float);
+    c.varyings = 6;
+    struct picture with = picture_draw(&c, &s.scene, &s.camera);
+    c.fast = NULL;
+    struct picture without = picture_draw(&c, &s.scene, &s.camera);
+    return picture_drawn_alike(&without, &with, "accelerators");
+}
+
 static void drawn_with(const struct place *s, const struct zs_config *c, int err)
 {
     struct picture is = picture_draw(c, &s->scene, &s->camera);
@@ -373,5 +399,6 @@ static void refusals(void **state)
     drawn_with(&s, &c, ZS_ERR_RANGE);
 }
 
-static const struct CMUnitTest tests[] = { cmocka_unit_test(rays), cmocka_unit_test(refusals) };
+static const struct CMUnitTest tests[] = { cmocka_unit_test(rays), CASES_TEST(palettes, palette_case, 20),
+                                          cmocka_unit_test(refusals) };
 CASES_MAIN(tests)

@@ -68,6 +68,7 @@ static void start(struct zs_job *job)
 {
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_shadow_map *const map = material_of(in)->map;
+    job->r->lit.of = 0; /* no palette is there now */
     (void)zs_shadow_steps(place_of(job), in, map); /* check has tried them */
     zs_shadow_middle(place_of(job), in, map);
 }

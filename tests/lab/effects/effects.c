@@ -310,6 +310,10 @@ static void vertices(void)
     PLAIN("a vertex: matcap", zs_shade_matcap)
     PLAIN("a vertex: bilinear", zs_shade_bilinear)
     MAPPED("a vertex: shadowed_smooth", zs_shade_shadowed_smooth)
+    BLEND("a vertex: blend_smooth", zs_blend_smooth)
+    texture.format = &zs_texel_4444;
+    BLEND("a vertex: blend_texture_smooth", zs_blend_texture_smooth)
+    PLAIN("a vertex: cutout_smooth", zs_shade_cutout_smooth)
 }
 #undef row
 
