@@ -511,6 +511,37 @@ static void stress_45_many_in_one_place(void **state)
             assert_true(fabs(channel(f.px[k / 9][k % 9], c) - channel(0x7bcf, c)) <= 1);
 }
 
+/* Items of all kinds over each other, clear ones too: the last one of a list is on top, in strips of any height. */
+static void stress_49_overlapping_overlays(void **state)
+{
+    struct prng p = { 4 };
+    struct stock s;
+    stock_make(&s, &p, 40, 30);
+    struct zs_item pile[90];
+    for (int k = 0; k < 90; k++)
+        pile[k] = (struct zs_item){
+            .kind = kinds[k % 9], .x = (int16_t)prng_range(&p, 5, 12), .y = (int16_t)prng_range(&p, 4, 9),
+            .w = (int16_t)prng_range(&p, 8, 24), .h = (int16_t)prng_range(&p, 8, 18), .color = (uint16_t)prng_next(&p),
+            .back = (uint16_t)prng_next(&p), .value = (uint16_t)prng_range(&p, 0, 300),
+            .clear = (uint8_t)(k % 2 ? prng_range(&p, 0, 255) : 0), .size = 1, .sprite = &s.sprite[k % 3],
+            .text = s.text[k % 4]
+        };
+    struct frame one = frame_make(&p, 40, 30), start = one;
+    for (int k = 0; k < 90; k++)
+        draw(&one, &pile[k], 1, 30, 0, 40);
+    for (int rows = 1; rows <= 30; rows++) {
+        struct frame f = start;
+        draw(&f, pile, 90, rows, 0, 40);
+        assert_memory_equal(&f, &one, sizeof f);
+    }
+    const struct zs_item cover = { .kind = &zs_item_fill, .w = 40, .h = 30, .color = 0x1234 };
+    draw(&one, &cover, 1, 7, 0, 40);
+    for (int k = 0; k < 40 * 30; k++)
+        assert_int_equal(one.px[k / 40][k % 40], one.px[0][0]);
+    assert_memory_not_equal(&one, &start, sizeof one);
+    stock_free(&s);
+}
+
 /* Texts of nothing, of line feeds, of one byte that begins a sequence; a list of nothing. */
 static void stress_46_empty_text(void **state)
 {
@@ -753,6 +784,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_44_ends_of_int16),
     cmocka_unit_test(stress_45_many_in_one_place),
     cmocka_unit_test(stress_46_empty_text),
+    cmocka_unit_test(stress_49_overlapping_overlays),
     CASES_COUNTS(what_changed_is_enough, change_case, 300, { "quiet frames", &quiet, 600 }),
 };
 CASES_MAIN(tests)

@@ -306,6 +306,60 @@ static void stress_43_thousands_of_layers(void **state)
     }
 }
 
+#define TIES 60
+
+/* Panes in one place, in two instances, some turned round or cut along the other diagonal: the first in scene order is
+ * blended first, whatever pools and strips are. */
+static void stress_48_ties_of_transparent_faces(void **state)
+{
+    static const int16_t at[4][3] = { { -8, -8, -50 }, { 8, -8, -50 }, { 8, 8, -50 }, { -8, 8, -50 } };
+    static const uint16_t half[4][3] = { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 2, 3 }, { 1, 3, 0 } };
+    static uint16_t tri[2 * TIES][3], raw[2 * TIES];
+    struct zs_camera camera;
+    struct prng p = { 9 };
+    (void)state;
+    for (uint32_t k = 0; k < 2 * TIES; k++) {
+        const uint16_t *of = half[k % 2 + (k / 2 % 3 ? 0 : 2)];
+        for (uint32_t v = 0; v < 3; v++)
+            tri[k][v] = of[(v + k) % 3];
+        raw[k] = k % 2 ? raw[k - 1] : (uint16_t)prng_next(&p);
+    }
+    struct zs_mesh panes[2];
+    for (int k = 0; k < 2; k++)
+        panes[k] = (struct zs_mesh){ .pos = at, .tri = (const uint16_t(*)[3])(tri + k * TIES), .n_verts = 4,
+                                     .face_raw = raw + k * TIES, .n_tris = TIES, .center = { 0, 0, -50 },
+                                     .radius = 12 };
+    const struct zs_blend pane = { .material = { .shader = &zs_blend_raw, .cull = ZS_CULL_NONE }, .alpha = 100 };
+    const struct zs_instance instance[2] = { { .mesh = &panes[0], .material = &pane.material },
+                                             { .mesh = &panes[1], .material = &pane.material } };
+    const struct zs_scene scene = { .instance = instance, .n_instances = 2, .background = 0x1234 };
+    assert_int_equal(zs_camera_orthographic(&camera, 16, 1, 100), ZS_OK);
+    double want[3] = { 0x1234 >> 11, 0x1234 >> 5 & 63, 0x1234 & 31 };
+    for (uint32_t k = 0; k < 2 * TIES; k += 2) { /* on the left below, where each pane has one triangle */
+        const double source[3] = { raw[k] >> 11, raw[k] >> 5 & 63, raw[k] & 31 };
+        for (int c = 0; c < 3; c++)
+            want[c] = (want[c] * 155. + source[c] * 100.) / 255.;
+    }
+    uint16_t first = 0;
+    for (int pools = 0; pools < 4; pools++) {
+        struct zs_config c = picture_config(16, 16, &zs_depth_linear);
+        c.method = &zs_method_transparent;
+        c.max_tris = pools == 0 ? 200 : pools == 1 ? 30 : pools == 2 ? 7 : 2;
+        c.max_verts = pools == 0 ? 200 : 6;
+        c.strip_h = pools % 2 ? 9 : 16;
+        struct picture is = picture_draw(&c, &scene, &camera);
+        assert_int_equal(is.err, ZS_OK);
+        if (pools == 0)
+            first = is.color[0];
+        for (int k = 0; k < 16 * 16; k++)
+            assert_int_equal(is.color[k], first);
+        picture_free(&is);
+    }
+    const double got[3] = { first >> 11, first >> 5 & 63, first & 31 };
+    for (int c = 0; c < 3; c++)
+        assert_true(got[c] - want[c] < 2.6 && want[c] - got[c] < 2.6); /* an error of one, times 255 / 100 */
+}
+
 /* ---- Faces that cross ------------------------------------------------------------------------- */
 
 /* Two panes that cross in the frame's middle column: on the left the first is nearer, on the right the second. */
@@ -383,6 +437,7 @@ static const struct CMUnitTest tests[] = {
     CASES_COUNTS(is_the_same_in_any_way, way_case, 80, { "scenes in several walks", &again, 20 }),
     CASES_TEST(without_layers_is_the_depth_buffer, opaque_case, 150),
     cmocka_unit_test(stress_43_thousands_of_layers),
+    cmocka_unit_test(stress_48_ties_of_transparent_faces),
     cmocka_unit_test(faces_that_cross_need_depth_sort),
     CASES_TEST(depth_sort_blends_the_same_in_any_way, depthsort_case, 15),
     METHOD_NEEDS_TEST(small_pools_and_no_depth_memory_are_refused,
