@@ -102,7 +102,9 @@ int zs_mirror_camera(struct zs_camera *out, const struct zs_camera *camera,
  * no depth state with a func other than ZS_DEPTH_LESS (else ZS_ERR_PASS). Under 16 depth bits, the
  * pass with the windows does not draw surfaces with the key 65534, that is, at the far plane. After
  * a pass with a mask, keys outside of the windows are 0: a later pass must not keep them, and hooks
- * that read keys (zs_target.depth) find that all is near there.
+ * that read keys (zs_target.depth) find that all is near there: fog (zs_fog.h) is seen in the
+ * windows alone. What is blended (zs_blend.h) before a window is not seen there, since it writes no
+ * keys: the pass with the mask covers it.
  *
  * Cost  Cortex-M3: 8 instructions for each pixel of the viewport, and the background of the
  *       windows. */
