@@ -39,8 +39,8 @@ extern const struct zs_fast zs_fast_batch;
 /* Culls clusters, and transforms no vertices that only culled clusters use. Worth 1.15 in flyover,
  * the demo scene whose meshes have clusters; 4,840 bytes. */
 extern const struct zs_fast zs_fast_clusters;
-/* Spans of small triangles; does nothing on a core without a divide instruction. Worth 1.01 to
- * 1.04; 456 bytes. */
+/* Spans of small triangles, where the core divides; their set-up on a Cortex-M0 or M0+. Worth 1.01
+ * to 1.04; 456 bytes. */
 extern const struct zs_fast zs_fast_edges;
 
 /* Of one shader. */

@@ -11,7 +11,8 @@
 //
 // Frames are those of -fcallgraph-info=su. Calls are the compiler's call graph and, so that calls which it adds later
 // (division, counting zeros, block moves) are in too, the relocations of each function's section. Helpers of libgcc and
-// newlib are measured on the program: every push and subtraction from sp in them, summed, and the deepest callee.
+// newlib, and frames of what is one piece of assembler, are measured on the program: every push and subtraction from sp
+// in them, summed, and the deepest callee.
 //
 // Calls through pointers. The compiler gives the place of each; what is called there is an expression like
 // job->fast->lit, whose type the debug information has: field `lit` of struct zs_fast, or a variable. It may hold
@@ -327,6 +328,10 @@ function measure_helpers(elf) {
         else if ((m = /^ +[0-9a-f]+:\s+b\S*\s.*<([^>+]+)>/.exec(line)) && m[1] !== f)
             add(callees, f, m[1]);
     }
+    // What is one piece of assembler has no frame in the compiler's eyes
+    for (const [fn, bytes] of frame)
+        if (!bytes)
+            frame.set(fn, own.get(fn.slice(fn.indexOf(':') + 1)) ?? 0);
     const deep = (fn, level) => {
         if (level > 20)
             return 100000;

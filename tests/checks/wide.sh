@@ -1,29 +1,25 @@
 #!/bin/sh
-# What wide.h has in assembler, on emulated cores: a Cortex-M0, an M3, and an M4, which has instructions of its own. And
-# that no library is called for it.
+# What wide.h has in assembler, on emulated cores: a Cortex-M0, an M3, and an M4, which has instructions of its own.
+# That no library is called for it. And what fast/ has in assembler for the Armv6-M.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
 dir=$B/wide
 mkdir -p "$dir"
-wide() { # BOARD TARGETS
-    board=$1
-    shift
-    make -s -f firmware/boards/firmware.mk BOARD="$board" NAME=wide APP_SRC=tests/checks/wide.c \
-        APP_FLAGS=-Isim/reference B="$top" "$@"
+# PROGRAM BOARD WHAT: run tests/checks/PROGRAM.c
+program() {
+    for target in all run; do
+        make -s -f firmware/boards/firmware.mk BOARD="$2" NAME="$1" APP_SRC="tests/checks/$1.c" \
+            APP_FLAGS=-Isim/reference B="$top" $target >"$dir/log" 2>&1 ||
+            { bad "$1 on $2" "$target: $(tr '\n' ' ' <"$dir/log")"; return; }
+    done
+    ok "$1 on $2: $3"
 }
 for board in m0 mps2 mps2-m4; do
-    if ! wide "$board" >"$dir/make.log" 2>&1; then
-        cat "$dir/make.log"
-        bad "wide.h on $board" "does not build"
-        continue
-    fi
-    wide "$board" run >"$dir/log" 2>&1
-    status=$?
-    if [ $status = 0 ]; then ok "wide.h on $board: products, rows, leading zeros, filling"
-    else bad "wide.h on $board" "status $status, $(tr '\n' ' ' <"$dir/log")"; fi
+    program wide $board "products, rows, leading zeros, filling"
 done
+program set_up m0 "rows, area, keys and colours of 200,000 triangles are those of the core"
 
 cat >"$dir/calls.c" <<'END'
 #include "arch/wide.h"

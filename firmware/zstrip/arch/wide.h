@@ -366,4 +366,15 @@ static inline int zs_clz64(uint64_t v)
 }
 #endif
 
+/* 1: the core has an accelerator that sets up tiny triangles by hand (fast/set_up.c). */
+#if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__) && !ZS_FOR_SIZE && \
+    !ZS_NO_FAST
+#define ZS_SET_UP 1
+#else
+#define ZS_SET_UP 0
+#endif
+
+/* A function that is one piece of assembler. */
+#define ZS_NAKED __attribute__((naked, noinline))
+
 #endif

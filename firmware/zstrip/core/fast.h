@@ -10,11 +10,19 @@
 #ifndef ZS_FAST_HOOKS_H
 #define ZS_FAST_HOOKS_H
 
+#include "arch/wide.h"
 #include "zstrip.h"
 
 /* A hook, or a value that only accelerators set. It is the constant 0 if the library is compiled
  * without accelerators, so that code that depends on it is removed. */
 #define ZS_IF_FAST(hook) (ZS_NO_FAST ? 0 : (hook))
+
+/* What a set-up says. */
+enum zs_set_up {
+    ZS_SET_UP_NOT = 0,  /* declined */
+    ZS_SET_UP_NONE = 1, /* no row in the strip; job->row_last is set */
+    ZS_SET_UP_ROWS = 2  /* keys are linear; all is set but the columns */
+};
 
 struct zs_bounds;
 struct zs_job;
@@ -118,6 +126,11 @@ struct zs_fast {
     const struct zs_fast_batch *batch;
     const struct zs_fast_clusters *clusters;
     int (*edges)(struct zs_job *job, int32_t row); /* in place of zs_edges_columns */
+#if ZS_SET_UP
+    /* In place of set-up but for the columns, with the plane of the keys. job->v and job->key need
+     * not be kept where it declines. */
+    enum zs_set_up (*set_up)(struct zs_job *job);
+#endif
 
     /* Hooks for triangles of one shader. */
     const struct zs_shader *shader;
@@ -125,6 +138,10 @@ struct zs_fast {
      * no depth state, its keys may be linear, and no pixel of the strip is uncleared. Sets
      * job->row_last if it returns 1. */
     int (*draw)(struct zs_job *job);
+#if ZS_SET_UP
+    /* In place of shader->start. */
+    int (*start)(struct zs_job *job);
+#endif
     /* In place of the walk over scanlines: draw a job that is set up. Called if its keys are linear
      * and job->split is 0. */
     int (*rows)(struct zs_job *job);

@@ -6,6 +6,7 @@
 #ifndef ZS_JOB_H
 #define ZS_JOB_H
 
+#include "core/fast.h"
 #include "core/fx.h"
 #include "zstrip.h"
 
@@ -130,6 +131,10 @@ struct zs_job {
     const struct zs_texture *texture;  /* the instance's material's */
     const struct zs_fast_texel *texel; /* loops of the texture's format; NULL: none */
     int32_t top, bottom;               /* rows [top, bottom) of the frame are the viewport's */
+#if ZS_SET_UP
+    uint32_t piece_shift, key_slow, key_known; /* of the view */
+    enum zs_set_up (*set_up)(struct zs_job *); /* of an accelerator; NULL: none, or no keys */
+#endif
     struct zs_geom geom;
     union {
         struct zs_sampler sampler;

@@ -60,10 +60,10 @@ static int covers_nothing(const struct zs_job *job)
 {
     if (job->cut_end < job->row_end)
         return 0;
-    for (int32_t k = 0; k < job->cut_end - job->row; k++)
-        if (job->cut[k].x0 < job->cut[k].x1)
-            return 0;
-    return 1;
+    const struct zs_cut *cut = job->cut, *const end = cut + (job->cut_end - job->row);
+    while (cut != end && cut->x0 >= cut->x1)
+        cut++;
+    return cut == end;
 }
 
 /* Set the rows of job->tri in its strip, and its sides. Return 0 if it has no row there. */
@@ -82,6 +82,22 @@ static int sides(struct zs_job *job)
     zs_plane_sides(job, a, b, c);
     return 1;
 }
+
+#if ZS_SET_UP
+/* The same by an accelerator. Return ZS_SET_UP_NOT if it has declined. */
+static inline enum zs_set_up fast_setup(struct zs_job *job)
+{
+    const enum zs_set_up done = job->set_up ? job->set_up(job) : ZS_SET_UP_NOT;
+    if (done == ZS_SET_UP_ROWS) {
+        job->r->stats.tris_setup++;
+        zs_edges_cut(job, job->row);
+        return covers_nothing(job) ? ZS_SET_UP_NONE : ZS_SET_UP_ROWS;
+    }
+    return done;
+}
+#else
+#define fast_setup(job) ZS_SET_UP_NOT
+#endif
 
 /* Set up job for its triangle in its strip. Return 0 if the triangle covers no pixel there. */
 static ZS_NOINLINE int job_setup(struct zs_job *job)
@@ -112,8 +128,9 @@ static ZS_NOINLINE void linear_walk(struct zs_job *job)
     zs_rows_walk(job, linear_span, 0);
 }
 
-/* Compute the gradients of a triangle whose edges are set up, and draw its scanlines. */
-static ZS_NOINLINE void draw(struct zs_job *job)
+/* Compute the plane of the keys of a triangle whose edges are set up. Return 0 if they are not
+ * linear. */
+static ZS_NOINLINE int key_plane(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r; /* all else is loaded again: fewer registers to save */
     const int linear = r->view.screen_linear || r->view.depth->planes(job);
@@ -124,9 +141,27 @@ static ZS_NOINLINE void draw(struct zs_job *job)
         /* half a bucket, to round to nearest; keys are below 2^32 - 2^15 (plane.c) */
         job->key.base += 0x8000u;
     }
+    return linear;
+}
+
+/* In place of shader->start. Return 0 if it is not done. */
+static inline int fast_start(struct zs_job *job)
+{
+#if ZS_SET_UP
+    return job->rows && job->fast->start && job->fast->start(job);
+#else
+    (void)job;
+    return 0;
+#endif
+}
+
+/* Compute the gradients of a triangle whose edges are set up, and draw its scanlines. */
+static ZS_NOINLINE void draw(struct zs_job *job, int linear)
+{
+    const struct zs_renderer *r = job->r;
     if (job->depth_state)
         job->bias = zs_depth_state_bias(job);
-    if (job->shader->start)
+    if (job->shader->start && !fast_start(job))
         job->shader->start(job);
     if (linear && ZS_IF_FAST(job->rows) && !job->split && job->rows(job))
         return;
@@ -230,6 +265,17 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     return !r->untouched && r->view.piece_shift ? job->fast->draw : 0;
 }
 
+#if ZS_SET_UP
+static enum zs_set_up (*set_up_of(const struct zs_renderer *r))(struct zs_job *)
+{
+    const struct zs_fast *const *at = r->config.fast;
+    while (at && *at && !(*at)->set_up)
+        at++;
+    const struct zs_fast *of = at ? *at : 0;
+    return of ? of->set_up : 0;
+}
+#endif
+
 /* Set the fields of job that depend on the pass: the part of its viewport in the strip. */
 static void job_target(struct zs_job *job)
 {
@@ -246,6 +292,12 @@ static void job_target(struct zs_job *job)
     const int32_t at = (job->y0 - first) * job->pitch + r->view.x;
     job->color = r->color[0] + at;
     job->depth = r->depth ? r->depth + at : 0;
+#if ZS_SET_UP
+    job->piece_shift = r->view.piece_shift;
+    job->key_slow = r->view.key_slow;
+    job->key_known = r->view.key_known;
+    job->set_up = job->depth && job->piece_shift ? set_up_of(r) : 0;
+#endif
     job->key_limit = r->view.key_top - 0x10000u; /* a bucket below B - 1: room for half a bucket and
                                                     the error of the plane (plane.c) */
 }
@@ -298,8 +350,9 @@ void zs_raster_strip(struct zs_renderer *r)
             if (!ZS_IF_FAST(whole) || !whole(&job)) {
                 if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
-                if (job_setup(&job))
-                    draw(&job);
+                const enum zs_set_up done = fast_setup(&job);
+                if (done != ZS_SET_UP_NONE && (done || job_setup(&job)))
+                    draw(&job, done || key_plane(&job));
             }
         }
         if (goes_on && job.row_last > job.y1) {

@@ -7,6 +7,7 @@
 #include "core/fx.h"
 #include "fast/lanes.h"
 #include "fast/less.h"
+#include "fast/set_up.h"
 #include "shade/persp.h"
 #include "zs_fast.h"
 
@@ -68,6 +69,7 @@ static int smooth_rows(struct zs_job *job)
     return 1;
 }
 
-const struct zs_fast zs_fast_smooth = { .shader = &zs_shade_smooth,
-                                        .rows = smooth_rows,
-                                        .span = zs_fast_less };
+const struct zs_fast zs_fast_smooth = {
+    ZS_SET_UP_SMOOTH .shader = &zs_shade_smooth, .rows = smooth_rows,
+    .span = ZS_LANES_USED ? zs_lanes_smooth_span : zs_fast_less
+};

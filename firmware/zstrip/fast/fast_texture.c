@@ -10,6 +10,7 @@
 #include "zs_shader.h"
 #include "fast/lanes.h"
 #include "fast/less.h"
+#include "fast/set_up.h"
 #include "fast/small.h"
 #include "shade/texture.h"
 #include "zs_fast.h"
@@ -280,6 +281,39 @@ static void divided(struct zs_job *job, const struct zs_row *row, int32_t i, int
     }
 }
 
+/* ---- Set-up ---------------------------------------------------------------------------------- */
+
+#if ZS_SET_UP
+
+/* zs_fast.start, of triangles that are affine. */
+static int texture_start(struct zs_job *job)
+{
+    const struct zs_shader *shader = job->shader;
+    const struct zs_texture *t = job->texture;
+    const uint32_t log2_w = t->log2_w, log2_h = t->log2_h,
+                   uv_bits = zs_instance_of(job->r, job->tri->instance)->mesh->uv_bits;
+    const uint32_t bias = 1u << (32u - ZS_TEXTURE_BIAS_LOG2);
+    const struct zs_texture_set set = {
+        { zs_maxu32(log2_w, ZS_TEXTURE_FLOOR_LOG2), zs_maxu32(log2_h, ZS_TEXTURE_FLOOR_LOG2) },
+        uv_bits,
+        31u - uv_bits,
+        { bias >> log2_w, bias >> log2_h },
+        shader->n_varyings == 3
+    };
+    if (t->clamp || !log2_w || !log2_h || !zs_set_up_texture(job, &set))
+        return 0;
+    job->sampler.wide = 0;
+    job->sampler.direct = 1;
+    job->sampler.unlit = !shader->light || (!set.lit && job->tri->paint == ZS_TEXTURE_FULL_LIGHT);
+    job->sampler.texture = !job->sampler.unlit && job->fast->lit ? job->fast->lit(job, t) : t;
+    return 1;
+}
+#define START .start = texture_start,
+
+#else
+#define START
+#endif
+
 /* ---- Rows ------------------------------------------------------------------------------------ */
 
 static int texture_rows(struct zs_job *job)
@@ -295,7 +329,7 @@ static int texture_rows(struct zs_job *job)
 
 #define TEXTURE(shader_, draw_, lit_)                                                              \
     {                                                                                              \
-        .shader = shader_, .draw = ZS_DIVIDES ? draw_ : 0, .rows = texture_rows,                   \
+        START .shader = shader_, .draw = ZS_DIVIDES ? draw_ : 0, .rows = texture_rows,             \
         .span = zs_fast_less, .lit = lit_, .divided = divided                                      \
     }
 

@@ -15,20 +15,16 @@
 /* 1: accelerators draw with the lanes. The assembler counts no written pixels. */
 #define ZS_LANES_USED (ZS_RP2040 && !ZS_STATS)
 
-/* A walk over rows. The lanes stand at `column` of the row above the first. */
-struct zs_lanes_walk {
-    uint32_t down[4]; /* added to lanes 0, 1 of the first interpolator, 0, 1 of the second, a row */
-    const struct zs_cut *stop; /* of the first row that is not drawn */
+/* What the lanes do for a triangle: 0 and 1 of the first interpolator, 0 and 1 of the second. */
+struct zs_lanes_set {
+    uint32_t ctrl[4];        /* ZS_LANES_FIELD */
+    uint32_t base;           /* added to the first interpolator's result */
     const uint16_t *palette;
-    uint16_t *row;    /* depth keys of the row */
-    uintptr_t beside; /* bytes from a key to its colour */
-    uintptr_t pitch;  /* bytes from row to row */
-    int32_t width;
-    const struct zs_cut *cut; /* of the row */
-    int32_t tested;           /* pixels, negative */
-    int32_t column;
     const void *texel; /* for the twin, whose bases are no addresses */
 };
+
+/* A lane's result is its accumulator shifted right, bits [least, most]. */
+#define ZS_LANES_FIELD(shift, least, most) ((shift) | (least) << 5 | (most) << 10 | 1u << 18)
 
 #if ZS_RP2040
 
@@ -40,129 +36,158 @@ struct zs_lanes_walk {
     "ldr r2, [r0, #" #base "]\n\tmuls r2, r1\n\tldr r3, [r0, #" #accum "]\n\tadds r2, r3\n\t"      \
     "ldr r3, [sp, #" #down "]\n\tadds r2, r3\n\tstr r2, [r0, #" #accum "]\n\t"
 
-/* Define a function (lanes, walk): each row of the walk. pixel: what is done for a pixel, in
- * assembler. r0: lanes; r4, r6: ends of the row's keys and colours; r5: the pixel from there,
- * bytes, negative; r2, r3, r7: free. [sp, #20]: the palette. 4f leads to the next pixel. rest: more
- * of it, behind the loop. */
+/* The rows of a triangle. pixel: what is done for a pixel, in assembler. r0: lanes, which stand at
+ * column r1 of the row above the first; r8: keys of the row; r9: bytes from a key to its colour;
+ * r10: bytes from row to row; r11: width; r12: cuts; lr: pixels tested, negative; [sp]: what is
+ * added to the four lanes a row, the end of the cuts, the palette. For a pixel, r4, r6: ends of the
+ * row's keys and colours; r5: the pixel from there, bytes, negative; r2, r3, r7: free. 4f leads to
+ * the next pixel. */
+#define ZS_LANES_LOOP(pixel)                                                                       \
+    "1:\n\t"                                                                                       \
+    "mov r7, r12\n\t"                                                                              \
+    "movs r2, #0\n\tldrsh r5, [r7, r2]\n\tmovs r2, #2\n\tldrsh r4, [r7, r2]\n\t"                   \
+    "adds r7, #4\n\tmov r12, r7\n\t"                                                               \
+    "asrs r2, r5, #31\n\tbics r5, r2\n\t" /* at least 0 */                                         \
+    "cmp r4, r11\n\tble 2f\n\tmov r4, r11\n"                                                       \
+    "2:\n\t"                                                                                       \
+    "subs r1, r5, r1\n\t" ZS_LANES_MOVE(0, 8, 0) ZS_LANES_MOVE(4, 12, 4)                           \
+        ZS_LANES_MOVE(0x40, 0x48, 8) ZS_LANES_MOVE(0x44, 0x4c, 12)                                 \
+    "movs r1, r5\n\tsubs r5, r4\n\tbge 5f\n\t"                                                     \
+    "movs r1, r4\n\tadd lr, r5\n\tlsls r5, #1\n\tlsls r4, #1\n\tadd r4, r8\n\t"                    \
+    "mov r6, r9\n\tadds r6, r4\n"                                                                  \
+    "3:\n\t" pixel                                                                                 \
+    "4:\n\tadds r5, #2\n\tbmi 3b\n"                                                                \
+    "5:\n\tadd r8, r10\n\tldr r2, [sp, #16]\n\tcmp r2, r12\n\tbne 1b\n\t"
+
+/* A plane from r7: lane to row r6 of column 0. r1: lanes. */
+#define ZS_LANES_STAND(accum, base, down)                                                          \
+    "ldmia r7!, {r2, r3, r4}\n\tstr r3, [r1, #" #base "]\n\tstr r4, [sp, #" #down "]\n\t"          \
+    "muls r4, r6\n\tadds r2, r4\n\tstr r2, [r1, #" #accum "]\n\t"
+
+#define ZS_LANES_AT(name, field) [name] "i"(offsetof(struct zs_job, field))
+
+/* Define a function (job, set, third): draw the rows of job->cut, and return how many pixels are
+ * tested. third: the third lane's plane, at column 0 of row 0, as job->c[0] and c[1] of the first
+ * two. rest: more of `pixel`, behind the loop. */
 #define ZS_LANES_ROWS(name, pixel, rest)                                                           \
-    static __attribute__((naked, noinline)) int32_t name(                                          \
-        struct zs_lanes *lanes __attribute__((unused)),                                            \
-        struct zs_lanes_walk *walk __attribute__((unused)))                                        \
+    static ZS_NAKED uint32_t name(struct zs_job *job __attribute__((unused)),                      \
+                                  const struct zs_lanes_set *set __attribute__((unused)),          \
+                                  const struct zs_plane *third __attribute__((unused)))            \
     {                                                                                              \
-        __asm__(                                                                                   \
+        __asm__ volatile(                                                                          \
             ".syntax unified\n\t"                                                                  \
             "push {r4, r5, r6, r7, lr}\n\t"                                                        \
-            "mov r4, r8\n\tmov r5, r9\n\tmov r6, r10\n\tmov r7, r11\n\t"                           \
-            "push {r1, r4, r5, r6, r7}\n\t"                                                        \
-            "ldm r1!, {r2, r3, r4, r5, r6, r7}\n\t" /* down, stop, palette */                      \
-            "push {r2, r3, r4, r5, r6, r7}\n\t"                                                    \
-            "ldm r1!, {r2, r3, r4, r5, r6, r7}\n\t"                                                \
-            "mov r8, r2\n\tmov r9, r3\n\tmov r10, r4\n\tmov r11, r5\n\tmov r12, r6\n\t"            \
-            "mov lr, r7\n\tldr r1, [r1]\n"                                                         \
-            "1:\n\t"                                                                               \
-            "mov r7, r12\n\t"                                                                      \
-            "movs r2, #0\n\tldrsh r5, [r7, r2]\n\t"                                                \
-            "movs r2, #2\n\tldrsh r4, [r7, r2]\n\t"                                                \
-            "adds r7, #4\n\tmov r12, r7\n\t"                                                       \
-            "asrs r2, r5, #31\n\tbics r5, r2\n\t" /* at least 0 */                                 \
-            "cmp r4, r11\n\tble 2f\n\tmov r4, r11\n"                                               \
-            "2:\n\t"                                                                               \
-            "subs r1, r5, r1\n\t" ZS_LANES_MOVE(0, 8, 0) ZS_LANES_MOVE(4, 12, 4)                   \
-                ZS_LANES_MOVE(0x40, 0x48, 8) ZS_LANES_MOVE(                                        \
-                    0x44, 0x4c,                                                                    \
-                    12) "movs r1, r5\n\t"                                                          \
-                        "subs r5, r4\n\tbge 5f\n\t"                                                \
-                        "movs r1, r4\n\t"                                                          \
-                        "add lr, r5\n\t"                                                           \
-                        "lsls r5, #1\n\tlsls r4, #1\n\tadd r4, r8\n\t"                             \
-                        "mov r6, r9\n\tadds r6, r4\n"                                              \
-                        "3:\n\t" pixel "4:\n\t"                                                    \
-                        "adds r5, #2\n\tbmi 3b\n"                                                  \
-                        "5:\n\t"                                                                   \
-                        "add r8, r10\n\t"                                                          \
-                        "ldr r2, [sp, #16]\n\tcmp r2, r12\n\tbne 1b\n\t"                           \
-                        "ldr r7, [sp, #24]\n\tadd sp, #24\n\t" /* the walk */                      \
-                        "mov r2, r8\n\tstr r2, [r7, #24]\n\t"                                      \
-                        "mov r2, lr\n\tstr r2, [r7, #44]\n\tstr r1, [r7, #48]\n\tmovs r0, #0\n\t"  \
-                        "pop {r1, r4, r5, r6, r7}\n\t"                                             \
-                        "mov r8, r4\n\tmov r9, r5\n\tmov r10, r6\n\tmov r11, r7\n\t"               \
-                        "pop {r4, r5, r6, r7, pc}\n" rest);                                        \
+            "mov r4, r8\n\tmov r5, r9\n\tmov r6, r10\n\tmov r7, r11\n\tpush {r4, r5, r6, r7}\n\t"  \
+            "mov r8, r2\n\tldmia r1!, {r2, r3, r4, r5, r6, r7}\n\tpush {r7}\n\tsub sp, #20\n\t"    \
+            "movs r1, #0xd0\n\tlsls r1, #24\n\tadds r1, #0x80\n\t"                                 \
+            "str r2, [r1, #0x2c]\n\tstr r3, [r1, #0x30]\n\tstr r4, [r1, #0x6c]\n\t"                \
+            "str r5, [r1, #0x70]\n\tstr r6, [r1, #0x10]\n\tmovs r2, #0\n\tstr r2, [r1, #0x50]\n\t" \
+            "ldr r6, [r0, %[row]]\n\tsubs r6, #1\n\tmovs r7, r0\n\tadds r7, %[c]\n\t"              \
+            ZS_LANES_STAND(0, 8, 0) ZS_LANES_STAND(4, 12, 4)                                       \
+            "mov r7, r8\n\t" ZS_LANES_STAND(0x40, 0x48, 8)                                         \
+            /* the key, whose plane is at its anchor */                                            \
+            "movs r7, %[ia]\n\tadds r7, r0\n\tldr r5, [r7]\n\tldr r7, [r7, #4]\n\tsubs r6, r7\n\t" \
+            "movs r7, r0\n\tadds r7, %[key]\n\t" ZS_LANES_STAND(0x44, 0x4c, 12)                    \
+            "muls r5, r3\n\tsubs r2, r5\n\tstr r2, [r1, #0x44]\n\t"                                \
+            /* where rows are */                                                                   \
+            "ldr r2, [r0, %[row]]\n\tldr r3, [r0, %[y0]]\n\tldr r4, [r0, %[end]]\n\t"              \
+            "subs r4, r2\n\tsubs r2, r3\n\tldr r3, [r0, %[pitch]]\n\tlsls r3, #1\n\t"              \
+            "muls r2, r3\n\t"                                                                    \
+            "ldr r5, [r0, %[depth]]\n\tadds r2, r5\n\tldr r6, [r0, %[color]]\n\tsubs r6, r5\n\t"   \
+            "ldr r7, [r0, %[width]]\n\tmovs r5, %[cut]\n\tadds r5, #200\n\tadds r0, r5\n\t"        \
+            "lsls r4, #2\n\tadds r4, r0\n\tstr r4, [sp, #16]\n\t"                                  \
+            "mov r8, r2\n\tmov r9, r6\n\tmov r10, r3\n\tmov r11, r7\n\tmov r12, r0\n\t"            \
+            "movs r0, r1\n\tmovs r1, #0\n\tmov lr, r1\n" ZS_LANES_LOOP(pixel)                      \
+            "mov r0, lr\n\trsbs r0, r0, #0\n\tadd sp, #24\n\tpop {r4, r5, r6, r7}\n\t"             \
+            "mov r8, r4\n\tmov r9, r5\n\tmov r10, r6\n\tmov r11, r7\n\t"                           \
+            "pop {r4, r5, r6, r7, pc}\n" rest                                                      \
+            :                                                                                      \
+            : ZS_LANES_AT(row, row), ZS_LANES_AT(c, c), ZS_LANES_AT(ia, geom.ia),                  \
+              ZS_LANES_AT(key, key), ZS_LANES_AT(y0, y0), ZS_LANES_AT(end, cut_end),               \
+              ZS_LANES_AT(pitch, pitch), ZS_LANES_AT(depth, depth), ZS_LANES_AT(color, color),     \
+              ZS_LANES_AT(width, width), [cut] "i"(offsetof(struct zs_job, cut) - 200u));          \
     }
-_Static_assert(sizeof(struct zs_lanes_walk) == 56, "offsets");
+_Static_assert(offsetof(struct zs_lanes, ctrl) == 0x2c && offsetof(struct zs_lanes, base) == 8 &&
+                   sizeof(struct zs_plane) == 12,
+               "as above");
 
 #else
-
-/* The same walk. pixel: a function (lanes, walk, depth, color) that returns 1 if it has written.
- * Returns the pixels written. */
-#define ZS_LANES_ROWS(name, pixel, rest)                                                           \
-    static int32_t name(struct zs_lanes *lanes, struct zs_lanes_walk *w)                           \
-    {                                                                                              \
-        int32_t written = 0;                                                                       \
-        for (; w->cut != w->stop; w->cut++, w->row = zs_lanes_at(w->row, w->pitch)) {              \
-            const int32_t i0 = zs_max32(w->cut->x0, 0), i1 = zs_min32(w->cut->x1, w->width);       \
-            for (int k = 0; k < 4; k++)                                                            \
-                lanes[k >> 1].accum[k & 1] +=                                                      \
-                    zs_wrap_mul(lanes[k >> 1].base[k & 1], i0 - w->column) + w->down[k];           \
-            w->column = i0;                                                                        \
-            for (; w->column < i1; w->column++, w->tested--)                                       \
-                written += pixel(lanes, w, w->row + w->column,                                     \
-                                 zs_lanes_at(w->row + w->column, w->beside));                      \
-        }                                                                                          \
-        return written;                                                                            \
-    }
 
 static inline uint16_t *zs_lanes_at(uint16_t *from, uintptr_t bytes)
 {
     return (uint16_t *)((uintptr_t)from + bytes);
 }
 
-#endif
-
-/* Set a lane: its result is the accumulator shifted right, bits [least, most]. It stands at column
- * 0 of a row, and each pop adds the plane's gx. */
-ZS_ALWAYS_INLINE void zs_lanes_set(struct zs_lanes *lanes, int k, uint32_t shift, uint32_t least,
-                                   uint32_t most, const struct zs_plane *p, int32_t row)
+/* Set the lanes to column 0 of the row above the job's. */
+static inline void zs_lanes_stand(struct zs_lanes lanes[2], const struct zs_lanes_set *set,
+                                  const struct zs_plane *const p[4], int32_t above)
 {
-    lanes->ctrl[k] = shift | least << 5 | most << 10 | 1u << 18;
-    lanes->base[k] = p->gx;
-    lanes->accum[k] = zs_plane_at(p, 0, row);
+    for (int k = 0; k < 4; k++) {
+        struct zs_lanes *const at = &lanes[k >> 1];
+        at->ctrl[k & 1] = set->ctrl[k];
+        at->base[k & 1] = p[k]->gx;
+        at->accum[k & 1] = zs_plane_at(p[k], 0, above);
+    }
+    lanes[0].base[2] = set->base;
+    lanes[1].base[2] = 0;
 }
 
-typedef int32_t zs_lanes_fn(struct zs_lanes *lanes, struct zs_lanes_walk *w);
-
-/* Draw the rows of a job. The lanes stand in the row above the first. t: NULL, or the texture. */
-ZS_ALWAYS_INLINE void zs_lanes_draw(struct zs_job *job, struct zs_lanes *lanes,
-                                    const struct zs_plane *const p[4], const struct zs_texture *t,
-                                    zs_lanes_fn *rows)
-{
-    int32_t y = job->row, written = 0;
-    struct zs_lanes_walk w; /* one by one: a compiler clears the whole of it else */
-    for (int k = 0; k < 4; k++)
-        w.down[k] = p[k]->gy;
-    w.row = job->depth + (y - job->y0) * job->pitch;
-    w.beside = (uintptr_t)job->color - (uintptr_t)job->depth;
-    w.pitch = (uintptr_t)(uint32_t)job->pitch * 2u;
-    w.width = job->width;
-    w.tested = w.column = 0;
-    w.palette = t ? t->palette : 0;
-    w.texel = t ? t->texel : 0;
-    for (;;) {
-        if (y < job->cut_end) {
-            w.cut = job->cut;
-            w.stop = job->cut + (job->cut_end - y);
-            written += rows(lanes, &w);
-            y = job->cut_end;
-        }
-        if (y >= job->row_end)
-            break;
-        zs_edges_cut(job, y);
+/* The same. pixel: a function (lanes, set, depth, color) that returns 1 if it has written. */
+#define ZS_LANES_ROWS(name, pixel, rest)                                                           \
+    static uint32_t name(struct zs_job *job, const struct zs_lanes_set *set,                       \
+                         const struct zs_plane *third)                                             \
+    {                                                                                              \
+        struct zs_lanes lanes[2];                                                                  \
+        struct zs_plane key = job->key;                                                            \
+        const struct zs_plane *const p[4] = { &job->c[0], &job->c[1], third, &key };               \
+        const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth;                    \
+        uint16_t *row = job->depth + (job->row - job->y0) * job->pitch;                            \
+        int32_t column = 0, tested = 0, written = 0;                                               \
+        const struct zs_cut *cut = job->cut, *const stop = cut + (job->cut_end - job->row);        \
+        zs_plane_origin(&job->geom, &key);                                                         \
+        zs_lanes_stand(lanes, set, p, job->row - 1);                                               \
+        for (; cut != stop; cut++, row += job->pitch) {                                            \
+            const int32_t i0 = zs_max32(cut->x0, 0), i1 = zs_min32(cut->x1, job->width);           \
+            for (int k = 0; k < 4; k++)                                                            \
+                lanes[k >> 1].accum[k & 1] +=                                                      \
+                    zs_wrap_mul(lanes[k >> 1].base[k & 1], i0 - column) + p[k]->gy;                \
+            column = i0;                                                                           \
+            for (; column < i1; column++, tested++)                                                \
+                written += pixel(lanes, set, row + column, zs_lanes_at(row + column, beside));     \
+        }                                                                                          \
+        zs_rows_written(job, written);                                                             \
+        return (uint32_t)tested;                                                                   \
     }
-    job->r->stats.pixels_tested += (uint32_t)-w.tested;
-    zs_rows_written(job, written);
+
+#endif
+
+typedef uint32_t zs_lanes_fn(struct zs_job *job, const struct zs_lanes_set *set,
+                             const struct zs_plane *third);
+
+/* Draw the rows of a job that job->cut does not hold. */
+static ZS_NOINLINE void zs_lanes_go_on(struct zs_job *job, const struct zs_lanes_set *set,
+                                       const struct zs_plane *third, zs_lanes_fn *rows)
+{
+    do {
+        zs_edges_cut(job, job->cut_end);
+        job->r->stats.pixels_tested += rows(job, set, third);
+    } while (job->cut_end < job->row_end);
+}
+
+/* Draw the rows of a job. */
+ZS_ALWAYS_INLINE void zs_lanes_draw(struct zs_job *job, const struct zs_lanes_set *set,
+                                    const struct zs_plane *third, zs_lanes_fn *rows)
+{
+    job->r->stats.pixels_tested += rows(job, set, third);
+    if (ZS_SELDOM(job->cut_end < job->row_end))
+        zs_lanes_go_on(job, set, third, rows);
 }
 
 /* zs_fast.rows of an affine triangle whose keys do not saturate. Textures repeat; 0: declined. */
 void zs_lanes_smooth_rows(struct zs_job *job);
 int zs_lanes_texture_rows(struct zs_job *job);
+/* zs_fast.span of smooth colours, on an RP2040. */
+void zs_lanes_smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                          uint32_t sum, uint32_t step);
 
 #endif

@@ -144,8 +144,14 @@ static inline void weighted_plane(const struct zs_geom *g, const struct weights 
                 (uint32_t)(((gx >> 3) * g->ax + (gy >> 3) * g->ay + 16) >> 5); /* |a| <= 2^7 */
 }
 
+#if ZS_SET_UP
+#define SELDOM ZS_RARE /* fast/smooth_start.c takes most triangles */
+#else
+#define SELDOM ZS_IN_ORDER
+#endif
+
 /* Compute the gradients of the colours: codes in the top bits of words, with half a code added. */
-ZS_IN_ORDER static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3],
+SELDOM static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3],
                                                   uint32_t range)
 {
     const struct zs_geom *g = &job->geom;
