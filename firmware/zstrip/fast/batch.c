@@ -13,6 +13,7 @@
 #include "core/xform.h"
 #include "fast/parts.h"
 #include "fast/screen.h"
+#include "fast/sweep.h"
 #include "zs_fast.h"
 
 static inline const int32_t *xy(const struct zs_vertex *v)
@@ -59,30 +60,6 @@ static void batch_open(struct zs_renderer *r)
 
 /* ---- Facing, box and bin --------------------------------------------------------------------- */
 
-/* What the loop over a mesh's triangles needs, in memory: registers are for the
- * triangle in hand. */
-struct sweep {
-    struct zs_renderer *r;
-    const struct zs_vertex *pool; /* what triangles' numbers count from, ... */
-    uint32_t n_verts;             /* ... and are below */
-    int32_t keep;                 /* 1, -1 or 0: area * keep < 0 means culled by its facing */
-    int32_t x, x_end;             /* columns that are drawn: r->walk_x, r->walk_end */
-    uint32_t row, rows; /* of the frame: the first that is drawn in the band, and how many */
-    uint32_t strip_mul, strip_shift;
-    uint16_t *bin;
-    uint16_t base; /* number of `pool` in the vertex pool */
-    uint16_t instance;
-    uint32_t varyings; /* of a vertex; 0: they are not computed */
-    uint16_t (*face)(const struct zs_shading *s, uint32_t tri);
-    uint32_t n;                /* number of the next record */
-    struct zs_tri *out, *full; /* the next record; one beyond the pool's last */
-    uint32_t placed;    /* n less the number of triangles that place() has binned, negative */
-    uint32_t *outcome;     /* [ZS_OUTCOMES]: counts of outcomes */
-    uint8_t by_batches; /* flags: sweep() leaves slow cases to batch_bin(); ... */
-    uint8_t full_verts; /* ... a batch has no room for a vertex of its first triangle */
-    uint32_t *piece;    /* of a clipped triangle, as in zs_assemble_tri */
-};
-
 /* A triangle on the screen, as zs_area_short sets it, and its vertices' numbers in the mesh. */
 struct corners {
     int32_t at[6];
@@ -92,7 +69,7 @@ struct corners {
 
 /* Return 1 if a triangle that is large, or has a vertex outside near, far or the guard band, is
  * outside the view, and count it. */
-static ZS_NOINLINE int outside(struct sweep *s, const uint16_t index[3])
+SWEEP_PART int zs_sweep_outside(struct zs_sweep *s, const uint16_t index[3])
 {
     const struct zs_vertex *const pool = s->pool;
     const uint32_t n_verts = s->n_verts;
@@ -106,7 +83,7 @@ static ZS_NOINLINE int outside(struct sweep *s, const uint16_t index[3])
 
 /* Take such a triangle that is not, or one that has no area, or comes when the pool is full. Return
  * 0: there is no room for it. */
-static ZS_NOINLINE int slow_case(struct sweep *s, uint32_t t)
+static ZS_NOINLINE int slow_case(struct zs_sweep *s, uint32_t t)
 {
     struct zs_renderer *r = s->r;
     r->n_tris = s->n;
@@ -121,7 +98,7 @@ static ZS_NOINLINE int slow_case(struct sweep *s, uint32_t t)
 }
 
 /* Return the strip of a box that lies partly outside the rows that are drawn, or ZS_NIL. */
-static ZS_NOINLINE uint32_t aside(struct sweep *s, int32_t empty, int32_t y0, int32_t y1)
+SWEEP_PART uint32_t zs_sweep_aside(struct zs_sweep *s, int32_t empty, int32_t y0, int32_t y1)
 {
     const struct zs_renderer *r = s->r;
     uint32_t strip = ZS_NIL;
@@ -142,7 +119,7 @@ static ZS_NOINLINE uint32_t aside(struct sweep *s, int32_t empty, int32_t y0, in
 
 /* Bin triangle t, whose corners are clockwise, unless it holds no sample that is drawn: as
  * zs_assemble_box and zs_bin_add, with all values in registers. */
-ZS_ALWAYS_INLINE void place(struct sweep *s, uint32_t t, const struct corners *c)
+ZS_ALWAYS_INLINE void place(struct zs_sweep *s, uint32_t t, const struct corners *c)
 {
     const int32_t x = c->at[0], y = c->at[1], dx1 = c->at[2], dx2 = c->at[4];
     int32_t dy1 = c->at[3], dy2 = c->at[5];
@@ -176,7 +153,7 @@ ZS_ALWAYS_INLINE void place(struct sweep *s, uint32_t t, const struct corners *c
     }
     uint32_t strip;
     if (ZS_SELDOM((uint32_t)y0 - s->row >= s->rows || x0 >= x1 || y0 >= y1)) {
-        strip = aside(s, x0 >= x1, y0, y1);
+        strip = zs_sweep_aside(s, x0 >= x1, y0, y1);
         if (strip == ZS_NIL)
             return;
     } else {
@@ -202,8 +179,8 @@ ZS_ALWAYS_INLINE void place(struct sweep *s, uint32_t t, const struct corners *c
 /* Bin triangles [t, end), whose vertices' numbers are at tri. Return `end`, or the triangle for
  * which the pool is full. Vertices outside near, far or the guard band need no test of their own:
  * zs_screen places them so far from all others that their triangles are never small. */
-ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint32_t end,
-                                              const uint16_t (*tri)[3])
+SWEEP_EACH uint32_t zs_sweep_each(struct zs_sweep *s, uint32_t t, uint32_t end,
+                                  const uint16_t (*tri)[3])
 {
     for (; t < end; t++, tri++) {
         /* counter-clockwise in the mesh, as most that are not culled */
@@ -214,7 +191,7 @@ ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint3
             const struct zs_vertex *const pool = s->pool;
             area = zs_area_short(at, xy(pool + i), xy(pool + j), xy(pool + k), &wide);
         }
-        if (wide ? outside(s, *tri) : area * s->keep < 0)
+        if (wide ? zs_sweep_outside(s, *tri) : area * s->keep < 0)
             continue;
         if (ZS_SELDOM(!wide && area == 0)) {
             s->outcome[ZS_OUTCOME_ZERO]++;
@@ -231,10 +208,33 @@ ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct sweep *s, uint32_t t, uint3
             place(s, t, &c);
         }
     }
-    s->r->n_tris = s->n;
-    s->outcome[ZS_OUTCOME_DRAWN] += s->placed + s->n;
     return t;
 }
+
+#if ZS_SET_UP
+
+/* The same for all, of which most are binned by hand. */
+static inline uint32_t sweep(struct zs_sweep *s, uint32_t t, uint32_t end, const uint16_t (*tri)[3])
+{
+    for (;; t++) {
+        const uint32_t at = zs_sweep_by_hand(s, t, end, tri);
+        tri += at - t;
+        t = at;
+        if (t == end || zs_sweep_each(s, t, t + 1, tri) == t)
+            return t;
+        tri++;
+    }
+}
+
+#else
+
+ZS_IN_ORDER static ZS_NOINLINE uint32_t sweep(struct zs_sweep *s, uint32_t t, uint32_t end,
+                                              const uint16_t (*tri)[3])
+{
+    return zs_sweep_each(s, t, end, tri);
+}
+
+#endif
 
 /* The sum of all outcomes. */
 static uint32_t sum(const uint32_t outcome[ZS_OUTCOMES])
@@ -246,12 +246,14 @@ static uint32_t sum(const uint32_t outcome[ZS_OUTCOMES])
 }
 
 /* sweep(), which counts all outcomes but this one. */
-static uint32_t counted(struct sweep *s, uint32_t from, uint32_t end, const uint16_t (*tri)[3])
+static uint32_t counted(struct zs_sweep *s, uint32_t from, uint32_t end, const uint16_t (*tri)[3])
 {
-    const uint32_t before = sum(s->outcome);
     s->placed = 0u - s->n;
+    s->before = sum(s->outcome) - from;
     const uint32_t reached = sweep(s, from, end, tri);
-    s->outcome[ZS_OUTCOME_FACING] += reached - from - (sum(s->outcome) - before);
+    s->r->n_tris = s->n;
+    s->outcome[ZS_OUTCOME_DRAWN] += s->placed + s->n;
+    s->outcome[ZS_OUTCOME_FACING] += s->before + reached - sum(s->outcome);
     return reached;
 }
 
@@ -310,7 +312,7 @@ static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, uint32_t from, uint32_
 
 /* The triangles of a batch that sweep() does not cull by their facing or as outside: 4 * number in
  * the batch, + 2 if it is a slow case. Return how many they are. */
-static ZS_NOINLINE uint32_t list(const struct sweep *s, const uint16_t (*tri)[3], uint32_t n,
+static ZS_NOINLINE uint32_t list(const struct zs_sweep *s, const uint16_t (*tri)[3], uint32_t n,
                                  uint8_t *left)
 {
     const struct zs_vertex *const pool = s->pool;
@@ -331,7 +333,7 @@ static ZS_NOINLINE uint32_t list(const struct sweep *s, const uint16_t (*tri)[3]
 
 /* Bin triangles [from, end) in batches. Return the triangle that it reached: one that is a slow
  * case, or for which a pool is full. */
-static ZS_NOINLINE uint32_t by_batches(struct sweep *s, uint32_t from, uint32_t end)
+static ZS_NOINLINE uint32_t by_batches(struct zs_sweep *s, uint32_t from, uint32_t end)
 {
     struct zs_renderer *r = s->r;
     uint8_t left[BATCH];
@@ -359,7 +361,7 @@ static ZS_NOINLINE uint32_t by_batches(struct sweep *s, uint32_t from, uint32_t 
     return end;
 }
 
-static void begin(struct sweep *s, struct zs_renderer *r)
+static void begin(struct zs_sweep *s, struct zs_renderer *r)
 {
     const struct zs_instance *in = r->xform.instance;
     const struct zs_shader *shader = in->material->shader;
@@ -390,7 +392,7 @@ static void begin(struct sweep *s, struct zs_renderer *r)
 static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
                                       uint32_t outcome[ZS_OUTCOMES], uint32_t *piece)
 {
-    struct sweep s;
+    struct zs_sweep s;
     s.outcome = outcome;
     s.piece = piece;
     s.by_batches = !r->direct || r->parts_tris;
