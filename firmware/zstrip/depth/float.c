@@ -379,10 +379,25 @@ static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, 
  */
 ZS_IN_ORDER static void any_row(struct zs_job *job, const struct zs_row *row)
 {
-    if (job->two_octaves)
+    if (!ZS_SET_UP && job->two_octaves)
         pair_span(job, row);
     else
         float_row(job, row, row->w + zs_times(job->w64.gx, row->i0));
+}
+
+static ZS_NOINLINE void pair_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, pair_span, 0);
+}
+
+/* zs_depth_walk where w of two octaves is not stepped with 64 bits: 0.08 of 6.5 million cycles in
+ * scene teapot on an RP2040. */
+static void float_walk(struct zs_job *job)
+{
+    if (job->two_octaves)
+        pair_walk(job);
+    else
+        zs_depth_walk(job);
 }
 
 static int float_planes(struct zs_job *job)
@@ -394,9 +409,10 @@ static int float_planes(struct zs_job *job)
     return !(differ >> (view->key_mantissa + 16)) || crossing_planes(job);
 }
 
+#define WALK (ZS_SET_UP ? float_walk : zs_depth_walk)
 #define FLOAT_DEPTH(setup_)                                                                        \
     {                                                                                              \
-        .setup = setup_, .vertex = float_vertex, .planes = float_planes, .walk = zs_depth_walk,    \
+        .setup = setup_, .vertex = float_vertex, .planes = float_planes, .walk = WALK,    \
         .row = any_row, .inverses = float_inverses                                                 \
     }
 
