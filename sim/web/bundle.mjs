@@ -6,6 +6,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -40,8 +41,12 @@ function add(file) {
 }
 
 add(resolve(folder, 'main.js'));
-const script = parts
-    .join('\n')
+/* Without comments and indents; names stay as they are in sim/web. */
+const bare = execFileSync('esbuild', ['--minify-whitespace', '--format=esm', '--target=es2022', '--log-level=error'], {
+    input: parts.join('\n'),
+    encoding: 'utf8',
+});
+const script = bare
     .replace(/<\/(script)/gi, '<\\/$1')
     .replace(/<!--/g, '<\\!--');
 

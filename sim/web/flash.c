@@ -16,6 +16,7 @@
 #include "sim.h"
 #include "zs_blend.h"
 #include "zs_filter.h"
+#include "zs_fog.h"
 #include "zs_lights.h"
 #include "zs_method.h"
 #include "zs_shadow.h"
@@ -171,6 +172,14 @@ static void put_lit(struct image *im, uint32_t at, const struct zs_lit_material 
     point(im, FIELD(at, struct zs_lit_material, shine), put(im, m->shine, m->shine != NULL ? sizeof *m->shine : 0));
 }
 
+static void put_shadowed(struct image *im, uint32_t at, const struct zs_shadow_map *map)
+{
+    uint32_t to;
+    if (!is_made(im, map, sizeof *map, &to))
+        point(im, FIELD(to, struct zs_shadow_map, key), put(im, map->key, sizeof *map->key * map->w * map->h));
+    point(im, FIELD(at, struct zs_shadowed_material, map), to);
+}
+
 static int put_material(struct image *im, const struct zs_material *m, uint32_t *at)
 {
     const struct sim_shader_row *row = sim_shader_row_of(m->shader);
@@ -178,9 +187,8 @@ static int put_material(struct image *im, const struct zs_material *m, uint32_t 
     int status = SIM_OK;
     if (m->primitive != NULL)
         return sim_refuse(web.name, 0, "lines and points are not in the prebuilt show; leave --style solid");
-    if (row == NULL || row->material == SIM_MATERIAL_SHADOWED)
-        return sim_refuse(web.name, 0, "%s is not in the prebuilt show; make a project with zsim new",
-                          row != NULL ? row->effect : "this shading");
+    if (row == NULL)
+        return sim_refuse(web.name, 0, "this shading is not in the prebuilt show; make a project with zsim new");
     if (is_made(im, m, sim_shader_material_bytes(row->material), at))
         return SIM_OK;
     if (m->texture != NULL)
@@ -188,6 +196,8 @@ static int put_material(struct image *im, const struct zs_material *m, uint32_t 
     point(im, FIELD(*at, struct zs_material, texture), texture);
     if (row->material == SIM_MATERIAL_LIT)
         put_lit(im, *at, (const struct zs_lit_material *)(const void *)m);
+    if (row->material == SIM_MATERIAL_SHADOWED)
+        put_shadowed(im, *at, ((const struct zs_shadowed_material *)(const void *)m)->map);
     return status == SIM_OK ? name(im, FIELD(*at, struct zs_material, shader), row->name, row->effect) : status;
 }
 
@@ -203,8 +213,9 @@ static int can_take(const struct sim_drawn_scene *d)
         return sim_refuse(web.name, 0, "four samples a pixel are not in the prebuilt show; leave --samples 1");
     if (d->mirrored != NULL)
         return sim_refuse(web.name, 0, "a mirror is not in the prebuilt show; leave --mirror out");
-    if (d->scene->n_resolves > 0)
-        return sim_refuse(web.name, 0, "fog and dithering are not in the prebuilt show; leave --fog and --dither out");
+    for (uint32_t i = 0; i < d->scene->n_resolves; i++)
+        if (d->scene->resolve[i].draw != zs_fog_draw)
+            return sim_refuse(web.name, 0, "dithering is not in the prebuilt show; leave --dither out");
     if (c->width != SIDE || c->height != SIDE ||
         (web.chosen.panel.name != NULL && strcmp(web.chosen.panel.name, "st7789:240x240") != 0))
         return sim_refuse(web.name, 0, "the prebuilt show drives an ST7789 of %dx%d; choose that panel", SIDE, SIDE);
@@ -272,6 +283,21 @@ static int put_view(void *ctx, const struct sim_drawn_scene *d)
     return status;
 }
 
+/* Hooks: fog, whose values hold for all views. */
+static int put_fog(struct image *im, const struct zs_scene *s)
+{
+    int status = SIM_OK;
+    const uint32_t hooks = put(im, s->resolve, sizeof *s->resolve * s->n_resolves);
+    point(im, (uint32_t)offsetof(struct show_model, scene.resolve), hooks);
+    for (uint32_t i = 0; status == SIM_OK && i < s->n_resolves; i++) {
+        const uint32_t at = hooks + i * (uint32_t)sizeof *s->resolve;
+        point(im, FIELD(at, struct zs_resolve, changes), 0);
+        point(im, FIELD(at, struct zs_resolve, ctx), put(im, s->resolve[i].ctx, sizeof(struct zs_fog)));
+        status = name(im, FIELD(at, struct zs_resolve, draw), "zs_fog_draw", "fog");
+    }
+    return status;
+}
+
 /* The first frame: its scene and configuration as well. */
 static int put_scene(void *ctx, const struct sim_drawn_scene *d)
 {
@@ -283,7 +309,8 @@ static int put_scene(void *ctx, const struct sim_drawn_scene *d)
     memcpy(im->byte + offsetof(struct show_model, scene), d->scene, sizeof *d->scene);
     point(im, (uint32_t)offsetof(struct show_model, scene.instance), 0); /* struct show_view has them */
     im->config = d->config;
-    return put_view(ctx, d);
+    const int put_ok = put_fog(im, d->scene);
+    return put_ok == SIM_OK ? put_view(ctx, d) : put_ok;
 }
 
 /* ---- The show ----------------------------------------------------------------------------------- */

@@ -315,6 +315,9 @@ test('web_engine_budget', (is) => {
     is('parts', engine.parts().length > 10, true);
     is('the small one is too small', engine.parts().find((one) => one.name === 'nrf51822').ramFits, false);
     engine.configure({method: 'painter', width: 200, height: 100, panel: undefined});
+    is('another method', engine.parts()[0].fps > 0, true);
+    engine.configure({method: undefined, width: undefined, height: undefined});
+    engine.setScene('forest');
     is('what was not measured', [ engine.parts()[0].fps, engine.parts()[0].why !== undefined ], [ null, true ]);
     configure({});
     engine.setScene('cockpit');

@@ -70,6 +70,17 @@ function wideText(bytes) {
     return 0;
 }
 
+/* Throws BadModel where a file is text of wider characters. */
+function refuseWide(name, bytes) {
+    const wide = wideText(bytes);
+    if (wide) throw new BadModel(name, 0, `is UTF-${wide} text; save it as UTF-8, as by iconv -f UTF-${wide} -t UTF-8`);
+}
+
+function textOf(name, bytes) {
+    refuseWide(name, bytes);
+    return new TextDecoder().decode(bytes);
+}
+
 /** Read a model. files: of a drop or a file picker. Throws BadModel with one sentence. */
 export async function readModel(files) {
     const given = new Map();
@@ -82,14 +93,11 @@ export async function readModel(files) {
     const bytes = given.get(baseName(file.name).toLowerCase());
     if (bytes.length === 0) throw new BadModel(file.name, 0, 'is empty; get the model again');
     const other = (path) => given.get(baseName(path).toLowerCase()) || null;
-    const wide = wideText(bytes);
-    if (wide)
-        throw new BadModel(file.name, 0, `is UTF-${wide} text; save it as UTF-8, as by iconv -f UTF-${wide} -t UTF-8`);
-    const text = (b) => new TextDecoder().decode(b);
+    refuseWide(file.name, bytes);
     const kind = MODEL.exec(file.name)[1].toLowerCase();
     const model =
         kind === 'obj'
-            ? readObj(file.name, text(bytes), (path) => (other(path) ? text(other(path)) : null))
+            ? readObj(file.name, textOf(file.name, bytes), (path) => (other(path) ? textOf(path, other(path)) : null))
             : kind === 'stl'
               ? readStl(file.name, bytes)
               : kind === 'ply'

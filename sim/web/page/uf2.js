@@ -43,7 +43,7 @@ export function imageWith(show, model) {
     }
     if (lacks.size > 0)
         throw new Error(
-            `the prebuilt show has no ${[...lacks].join(', no ')}; make a project with zsim new, or leave it out`,
+            `the prebuilt show lacks ${[...lacks].join(', ')}; leave it out, or make a project with zsim new`,
         );
     return {
         image,
