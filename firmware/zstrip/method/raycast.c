@@ -157,7 +157,9 @@ static void ray_strip(struct zs_renderer *r)
     r->clusters_hooks = &zs_ray_nodes;
     s.x_end = r->window[1];
     s.y_end = r->strip * r->config.strip_h;
+#if ZS_STATS
     s.boxes = s.boxed = s.edges = 0;
+#endif
     for (int again = 0; region_next(r, &s); again = 1) {
         if (again || r->strip >= r->band_end)
             zs_walk(r, again ? (uint16_t)(r->strip + 1u) : r->draw_end);

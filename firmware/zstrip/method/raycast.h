@@ -38,11 +38,13 @@ struct zs_rays {
     struct zs_plane *plane; /* [n_planes]: keys of the first triangles, at pixel 0, 0 ... */
     uint32_t n_planes;
     uint32_t node;  /* the current instance's next node */
-    uint32_t boxes, boxed, edges; /* counted if ZS_STATS is 1, and cleared by who reads them: boxes
-                       that rays were tested against; triangles in whose box a ray is; of these,
-                       those whose edges it was tested against */
     int32_t column; /* for keys that are not linear: a pixel's column, and its key */
     uint32_t sum;
+#if ZS_STATS
+    uint32_t boxes, boxed, edges; /* counted, and cleared by who reads them: boxes that rays were
+                       tested against; triangles in whose box a ray is; of these, those whose edges
+                       it was tested against */
+#endif
 };
 
 /* zs_tri.next while rays are cast: flags. */

@@ -205,12 +205,21 @@ static ZS_NOINLINE void stated(struct zs_job *job, struct zs_ray_seen *seen, uin
         seen->key = key;
 }
 
-static void count(const struct zs_renderer *r, uint32_t boxes, uint32_t boxed, uint32_t edges)
+/* Count, if ZS_STATS is 1. */
+static inline void count(const struct zs_renderer *r, uint32_t boxes, uint32_t boxed,
+                         uint32_t edges)
 {
+#if ZS_STATS
     struct zs_rays *s = r->method_state;
     s->boxes += boxes;
     s->boxed += boxed;
     s->edges += edges;
+#else
+    (void)r;
+    (void)boxes;
+    (void)boxed;
+    (void)edges;
+#endif
 }
 
 /* A ray meets the triangle of box k, which holds the ray's sample. */
@@ -219,8 +228,7 @@ static void meet(struct zs_job *job, const struct zs_rays *s, struct zs_ray_seen
 {
     const struct zs_renderer *r = job->r;
     const struct zs_ray_box *b = &s->level[0][k];
-    if (ZS_STATS)
-        count(r, 0, 1, b->near <= seen->key + 1u);
+    count(r, 0, 1, b->near <= seen->key + 1u);
     if (b->near > seen->key + 1u || !covers(r, &r->tri[b->tri], x, y))
         return;
     const uint32_t sum = sum_at(job, s, k, x, y);
@@ -258,8 +266,7 @@ static ZS_NOINLINE void gather(struct zs_job *job, const struct zs_rays *s, stru
     p->end = s->x_end;
     while (i < s->count[level]) {
         const struct zs_ray_box *b = &s->level[level][i];
-        if (ZS_STATS)
-            count(job->r, 1, 0, 0);
+        count(job->r, 1, 0, 0);
         if (y >= b->y0 && y < b->y1 && x < b->x1) {
             if (x < b->x0) {
                 p->end = zs_min32(p->end, b->x0);
