@@ -85,13 +85,13 @@ only "hal/rp2040/second includes hal.h, second.h and its HAL's own" \
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c hal/*/*/*.c
 APP='zstrip|zs_fast|zs_damage|zs_method|zs_lines|scenes|pieces|sizes|hal|second|panel|show|pair|number|line|report'
-APP="$APP|model"
+APP="$APP|model|show_model|zs_blend|zs_filter|zs_lights|zs_shadow"
 only "app sees public headers, hal.h, panel.h, scenes and its own" \
     "\"($APP|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
 only "showpieces see public headers and scenes'" \
     "\"(zs_[a-z]+|meshes)\\.h\"|$(headers firmware/scenes firmware/scenes/pieces)|$STD" firmware/scenes/pieces/*.[ch]
-only "scenes see zstrip.h, zs_fast.h and their own" "\"(zstrip|zs_fast|meshes)\\.h\"|$(headers firmware/scenes)|$STD" \
-    firmware/scenes/*.[ch]
+only "scenes see zstrip.h, zs_fast.h, zs_method.h and their own" \
+    "\"(zstrip|zs_fast|zs_method|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" \
     "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" \
     firmware/scenes/gen/*.[ch]
