@@ -24,7 +24,7 @@ extern "C" {
 
 /* Bytes of arena that take every probe. */
 #define PROBE_ARENA_BYTES                                                                                      \
-    ZS_ARENA_BYTES(PROBE_WIDTH_MAX, PROBE_HEIGHT_MAX, 48, PROBE_LAYERS * PROBE_TRIS + 64,                      \
+    ZS_ARENA_BYTES(PROBE_WIDTH_MAX, PROBE_HEIGHT_MAX, 40, PROBE_LAYERS * PROBE_TRIS + 64,                      \
                    PROBE_LAYERS * PROBE_VERTS + 64, 3, 1)
 
 struct probe {

@@ -366,9 +366,10 @@ static inline int zs_clz64(uint64_t v)
 }
 #endif
 
-/* 1: the core has an accelerator that sets up tiny triangles by hand (fast/set_up.c). */
+/* 1: the core has an accelerator that sets up tiny triangles by hand (fast/set_up.c). With more
+ * varyings fields of a job are beyond what its instructions reach. */
 #if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__) && !ZS_FOR_SIZE && \
-    !ZS_NO_FAST
+    !ZS_NO_FAST && ZS_VARYINGS_MAX <= 3
 #define ZS_SET_UP 1
 #else
 #define ZS_SET_UP 0

@@ -15,7 +15,8 @@
 
 #define AT(field) offsetof(struct zs_job, field)
 _Static_assert(AT(geom.dx2) == AT(geom) + 4 && AT(geom.dy1) == AT(geom) + 8 &&
-                   AT(geom.dy2) == AT(geom) + 12 && AT(cut_end) < 128 && AT(v) < 128,
+                   AT(geom.dy2) == AT(geom) + 12 && AT(geom) >= 100 && AT(geom.tiny) < 356 &&
+                   AT(cut_end) < 128 && AT(v) < 128,
                "loaded at once");
 _Static_assert(ZS_TINY_SIDE == 65 && offsetof(struct zs_vertex, y) == 4, "as below");
 
@@ -26,7 +27,8 @@ _Static_assert(ZS_TINY_SIDE == 65 && offsetof(struct zs_vertex, y) == 4, "as bel
 /* One of the sides below the middle vertex, along an edge from a to b. r4: geom, r1: x, r5: down.
  * Uses both. */
 #define SIDE(a_dx, a_dy, b_dx, b_dy, sum, span, step)                                              \
-    "adds r4, %[geom]\n\tldr " #sum ", [r4, #" #a_dy "]\n\tsubs r5, " #sum "\n\t"                  \
+    "adds r4, %[geom]\n\tadds r4, #100\n\tldr " #sum ", [r4, #" #a_dy "]\n\t"                     \
+    "subs r5, " #sum "\n\t"                                                                        \
     "ldr " #span ", [r4, #" #b_dy "]\n\tsubs " #span ", " #sum "\n\t"                              \
     "ldr " #sum ", [r4, #" #a_dx "]\n\tadds r1, " #sum "\n\t"                                      \
     "ldr r4, [r4, #" #b_dx "]\n\tsubs r4, " #sum "\n\t"                                            \
@@ -41,14 +43,14 @@ static ZS_NAKED int tiny_cuts(struct zs_job *job __attribute__((unused)),
 {
     __asm__ volatile(
         ".syntax unified\n\t"
-        "movs r2, %[tiny]\n\tldr r2, [r0, r2]\n\tcmp r2, #0\n\tbne 1f\n\tmovs r0, r2\n\tbx lr\n"
+        "movs r2, %[tiny]\n\tadds r2, #100\n\tldr r2, [r0, r2]\n\tcmp r2, #0\n\tbne 1f\n\tmovs r0, r2\n\tbx lr\n"
         "1:\n\tpush {r4, r5, r6, r7, lr}\n\tmov r4, r8\n\tmov r5, r9\n\tpush {r4, r5}\n\t"
         "ldr r2, [r0, %[v]]\n\tldr r3, [r2]\n\tldr r4, [r2, #4]\n\t"
         "asrs r2, r3, #8\n\tsubs r2, #65\n\tmov r12, r2\n\t"
         "uxtb r3, r3\n\tmovs r2, #129\n\tlsls r2, #7\n\tadds r3, r2\n\t" /* x */
         "lsls r2, r1, #8\n\tadds r2, #128\n\tsubs r2, r4\n\t"           /* off */
         "push {r0, r1, r2, r3}\n\t"
-        "movs r7, r0\n\tadds r7, %[geom]\n\tldmia r7, {r4, r5, r6, r7}\n\t"
+        "movs r7, r0\n\tadds r7, %[geom]\n\tadds r7, #100\n\tldmia r7, {r4, r5, r6, r7}\n\t"
         /* the right side, then the left one */
         "movs r0, r3\n\tmuls r0, r6\n\tmovs r1, r2\n\tmuls r1, r4\n\tadds r0, r1\n\t"
         "lsls r6, #8\n\tadds r0, r6\n\tsubs r0, #1\n\tlsls r4, #8\n\tmov r8, r4\n\t"
@@ -79,7 +81,7 @@ static ZS_NAKED int tiny_cuts(struct zs_job *job __attribute__((unused)),
         "pop {r4, r5, r6, r7, pc}\n\t"
         ".align 2\n9:\n\t.word %c[cut]\n"
         :
-        : [tiny] "i"(AT(geom.tiny)), [v] "i"(AT(v)), [geom] "i"(AT(geom)), [mid] "i"(AT(row_mid)),
+        : [tiny] "i"(AT(geom.tiny) - 100u), [v] "i"(AT(v)), [geom] "i"(AT(geom) - 100u), [mid] "i"(AT(row_mid)),
           [end] "i"(AT(cut_end)), [right] "i"(AT(mid_right)), [cut] "i"(AT(cut)));
 }
 

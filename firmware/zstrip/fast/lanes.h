@@ -86,7 +86,8 @@ struct zs_lanes_set {
             ZS_LANES_STAND(0, 8, 0) ZS_LANES_STAND(4, 12, 4)                                       \
             "mov r7, r8\n\t" ZS_LANES_STAND(0x40, 0x48, 8)                                         \
             /* the key, whose plane is at its anchor */                                            \
-            "movs r7, %[ia]\n\tadds r7, r0\n\tldr r5, [r7]\n\tldr r7, [r7, #4]\n\tsubs r6, r7\n\t" \
+            "movs r7, %[ia]\n\tadds r7, #100\n\tadds r7, r0\n\tldr r5, [r7]\n\t"                   \
+            "ldr r7, [r7, #4]\n\tsubs r6, r7\n\t"                                                 \
             "movs r7, r0\n\tadds r7, %[key]\n\t" ZS_LANES_STAND(0x44, 0x4c, 12)                    \
             "muls r5, r3\n\tsubs r2, r5\n\tstr r2, [r1, #0x44]\n\t"                                \
             /* where rows are */                                                                   \
@@ -102,7 +103,8 @@ struct zs_lanes_set {
             "mov r8, r4\n\tmov r9, r5\n\tmov r10, r6\n\tmov r11, r7\n\t"                           \
             "pop {r4, r5, r6, r7, pc}\n" rest                                                      \
             :                                                                                      \
-            : ZS_LANES_AT(row, row), ZS_LANES_AT(c, c), ZS_LANES_AT(ia, geom.ia),                  \
+            : ZS_LANES_AT(row, row), ZS_LANES_AT(c, c),                                            \
+              [ia] "i"(offsetof(struct zs_job, geom.ia) - 100u),                                  \
               ZS_LANES_AT(key, key), ZS_LANES_AT(y0, y0), ZS_LANES_AT(end, cut_end),               \
               ZS_LANES_AT(pitch, pitch), ZS_LANES_AT(depth, depth), ZS_LANES_AT(color, color),     \
               ZS_LANES_AT(width, width), [cut] "i"(offsetof(struct zs_job, cut) - 200u));          \
