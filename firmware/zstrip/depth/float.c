@@ -379,7 +379,7 @@ static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, 
  */
 ZS_IN_ORDER static void any_row(struct zs_job *job, const struct zs_row *row)
 {
-    if (!ZS_SET_UP && job->two_octaves)
+    if (job->two_octaves) /* rays ask for rows too */
         pair_span(job, row);
     else
         float_row(job, row, row->w + zs_times(job->w64.gx, row->i0));
