@@ -278,6 +278,7 @@ static int method_plan(struct plan *p, uint32_t i)
         { TEX_565, 2, 2, 2, -1, 0, 900, 7000, 14000, 0, W, H, 24, 0 },
         { TEX_SMOOTH_PAL, 4, 3, 2, 1, 0, 300, 9000, 13000, CROSS, W, H, 24, 0 },
         { RAW, 24, 20, 1, 1, 0, 12, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { RAW, 1, 1, 3, 1, 0, 16000, 11000, 12000, 0, 320, 48, 24, 0 },
     };
     const uint32_t n = LENGTH(some);
     if (i >= n * (LENGTH(methods) - 1u))

@@ -128,7 +128,8 @@
     X(setup_order, "method", "more for a triangle or a piece in a strip")                                       \
     X(span_sorted, "method", "depth sort: row of a triangle")                                                   \
     X(span_covered, "method", "coverage: row of a triangle")                                                    \
-    X(px_covered, "method", "coverage: pixel of it, drawn or not")                                              \
+    X(run_covered, "method", "coverage: run of its pixels that are drawn")                                      \
+    X(word_covered, "method", "coverage: 32 pixels of it, drawn or not")                                           \
     X(tile_triangle, "method", "hiz: triangle looked up in the tiles")                                          \
     X(span_tiles, "method", "hiz: row of a triangle")                                                           \
     X(tile, "method", "hiz: piece of a row compared with a tile")                                               \

@@ -498,7 +498,7 @@ static void on_method_span(struct zs_job *job, const struct zs_row *row, int32_t
         const int near_first = is_method(&zs_method_coverage);
         now.n[near_first ? SIM_COST_span_covered : SIM_COST_span_sorted]++;
         if (near_first)
-            now.n[SIM_COST_px_covered] += i1 - i0;
+            now.n[SIM_COST_word_covered] += ((i1 - 1) >> 5) - (i0 >> 5) + 1;
     }
     now.method_span(job, row, i0, i1, sum, gx);
 }
@@ -613,7 +613,7 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
     const struct our_shader *s = shader_of(job->shader);
     const int untouched = job->split & ZS_SPLIT_TOUCH && !now.testing, texels = s->kind == KIND_TEXTURE;
     const int plain = now.method_of && !is_hiz();
-    now.n[plain ? SIM_COST_run_plain : SIM_COST_run]++;
+    now.n[is_method(&zs_method_coverage) ? SIM_COST_run_covered : plain ? SIM_COST_run_plain : SIM_COST_run]++;
     now.n[SIM_COST_run_untouched] += untouched;
     if (untouched)
         now.n[SIM_COST_px_untouched] += to - from;

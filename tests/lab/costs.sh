@@ -64,7 +64,7 @@ files="--m3 $out/mps2.csv"
 # What scenes take: on record, and of the RP2040 what make pico has measured here
 cat "$record" "$methods" >"$out/scenes.txt"
 for scene in teapot china cubes knot flyover city hall globe; do
-    [ ! -s "$top/pico/$scene.txt" ] ||
+    grep -qx 'frames 4' "$top/pico/$scene.txt" 2>/dev/null && # make test draws fewer of some
         sed -n "s/^draw_cycles /RP2040 $scene /p" "$top/pico/$scene.txt" >>"$out/scenes.txt"
 done
 # shellcheck disable=SC2086
@@ -82,9 +82,9 @@ quick)
     off=$(sed -n 's/^\([^ ]*\) .* scenes, none.* at most \([-+0-9.]*\) %.*/\1 \2 %/p' "$out/error.txt" |
         tr '\n' ',' | sed 's/,$//; s/,/, /g')
     none "no scene's estimate is 15 % off: $off at most" "$reason"
-    "$top/zlab" costs --error "$methods" --bar 30 >"$out/methods.txt" 2>&1 && reason='' ||
+    "$top/zlab" costs --error "$methods" --bar 40 >"$out/methods.txt" 2>&1 && reason='' ||
         reason=$(tail -1 "$out/methods.txt")
-    none "no method's estimate is 30 % off, in $(grep -c '^[MR]' "$methods") frames" "$reason"
+    none "no method's estimate is 40 % off, in $(grep -c '^[MR]' "$methods") frames" "$reason"
     stated=$(sed -n 's/^static const double stage_error.* { [^,]*, \([0-9.]*\),.*/\1/p' sim/budget/stage_costs.h)
     now=$(sed -n 's/^M3 .* scenes, none.* at most [-+]*\([0-9.]*\) %.*/\1/p' "$out/error.txt")
     none "the error that zsim budget states on Cortex-M3, $stated %" \

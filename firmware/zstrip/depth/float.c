@@ -374,12 +374,19 @@ static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, 
         crossing_row(job, row, w, down);
 }
 
+static ZS_NOINLINE void pair_row(struct zs_job *job, const struct zs_row *row)
+{
+    pair_span(job, row);
+}
+
 /* Draw a scanline: of a tiny triangle in two octaves, for which job->w64 is not set, or of any
  * other.
  */
 ZS_IN_ORDER static void any_row(struct zs_job *job, const struct zs_row *row)
 {
-    if (job->two_octaves) /* rays ask for rows too */
+    if (ZS_SET_UP && job->two_octaves)
+        pair_row(job, row); /* of a ray; float_walk has the others */
+    else if (job->two_octaves)
         pair_span(job, row);
     else
         float_row(job, row, row->w + zs_times(job->w64.gx, row->i0));

@@ -43,7 +43,8 @@ static ZS_NAKED int tiny_cuts(struct zs_job *job __attribute__((unused)),
 {
     __asm__ volatile(
         ".syntax unified\n\t"
-        "movs r2, %[tiny]\n\tadds r2, #100\n\tldr r2, [r0, r2]\n\tcmp r2, #0\n\tbne 1f\n\tmovs r0, r2\n\tbx lr\n"
+        "movs r2, %[tiny]\n\tadds r2, #100\n\tldr r2, [r0, r2]\n\t"
+        "cmp r2, #0\n\tbne 1f\n\tmovs r0, r2\n\tbx lr\n"
         "1:\n\tpush {r4, r5, r6, r7, lr}\n\tmov r4, r8\n\tmov r5, r9\n\tpush {r4, r5}\n\t"
         "ldr r2, [r0, %[v]]\n\tldr r3, [r2]\n\tldr r4, [r2, #4]\n\t"
         "asrs r2, r3, #8\n\tsubs r2, #65\n\tmov r12, r2\n\t"
@@ -81,8 +82,9 @@ static ZS_NAKED int tiny_cuts(struct zs_job *job __attribute__((unused)),
         "pop {r4, r5, r6, r7, pc}\n\t"
         ".align 2\n9:\n\t.word %c[cut]\n"
         :
-        : [tiny] "i"(AT(geom.tiny) - 100u), [v] "i"(AT(v)), [geom] "i"(AT(geom) - 100u), [mid] "i"(AT(row_mid)),
-          [end] "i"(AT(cut_end)), [right] "i"(AT(mid_right)), [cut] "i"(AT(cut)));
+        : [tiny] "i"(AT(geom.tiny) - 100u), [v] "i"(AT(v)), [geom] "i"(AT(geom) - 100u),
+          [mid] "i"(AT(row_mid)), [end] "i"(AT(cut_end)), [right] "i"(AT(mid_right)),
+          [cut] "i"(AT(cut)));
 }
 
 #else
