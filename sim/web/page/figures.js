@@ -53,7 +53,11 @@ export function showPart(part, ram) {
         note.append(
             `Estimated, ${error}. `,
             make('b', {}, part.limit === 'wire' ? 'The wire binds' : 'Drawing binds'),
-            part.limit === 'wire' ? ': the panel takes no more.' : ': the wire would take more.',
+            part.limit === 'wire'
+                ? ': the panel takes no more.'
+                : part.wireMs > 0
+                  ? `: the wire would carry ${rate(1e3 / part.wireMs)} a second.`
+                  : '.',
         );
     showRace(part);
     meter(id('ram-meter'), 'RAM', ram.pools, ram.total, has(part, 'ram'), part.ramFits);
