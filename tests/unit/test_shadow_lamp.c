@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "boxes.h"
 #include "cases.h"
 #include "picture.h"
 #include "zs_shadow.h"
@@ -18,12 +19,6 @@
 #define H 60
 #define PI 3.14159265358979323846
 
-static const int16_t box_pos[8][3] = { { -50, -50, 50 },  { 50, -50, 50 },  { 50, 50, 50 },  { -50, 50, 50 },
-                                       { -50, -50, -50 }, { 50, -50, -50 }, { 50, 50, -50 }, { -50, 50, -50 } };
-static const uint16_t box_tri[12][3] = { { 0, 1, 2 }, { 0, 2, 3 }, { 5, 4, 7 }, { 5, 7, 6 }, { 1, 5, 6 }, { 1, 6, 2 },
-                                         { 4, 0, 3 }, { 4, 3, 7 }, { 3, 2, 6 }, { 3, 6, 7 }, { 4, 5, 1 }, { 4, 1, 0 } };
-static const int16_t ground_pos[4][3] = { { -100, 0, 100 }, { 100, 0, 100 }, { 100, 0, -100 }, { -100, 0, -100 } };
-static const uint16_t ground_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 static const int16_t uv[8][2] = { { 0, 0 }, { 3000, 0 }, { 3000, 3000 }, { 0, 3000 },
                                   { 900, 0 }, { 2000, 100 }, { 700, 900 }, { 100, 200 } };
 static const uint16_t texels[16] = { 0xffff, 0xf800, 0x07e0, 0x001f, 0xffe0, 0x07ff, 0xf81f, 0x8410,
@@ -47,11 +42,6 @@ struct place {
     struct zs_camera camera, light;
     uint16_t key[MAP * MAP];
 };
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void set_lamp(struct place *s, struct prng *p, int kind)
 {
@@ -130,78 +120,6 @@ static int map_draw(struct place *s, struct prng *p)
 }
 
 /* ---- Rays in doubles --------------------------------------------------------------------------- */
-
-struct face {
-    double at[3], e1[3], e2[3], n[3]; /* n: unit, outwards */
-};
-
-static struct face faces[12 * BOXES + 2];
-static int n_faces;
-
-static void faces_make(const struct place *s)
-{
-    n_faces = 0;
-    for (int k = 0; k < THINGS; k++) {
-        const struct zs_instance *in = &s->thing[k];
-        for (uint32_t t = 0; t < in->mesh->n_tris; t++) {
-            struct face *f = &faces[n_faces++];
-            double corner[3][3], length = 0;
-            for (int c = 0; c < 3; c++)
-                for (int a = 0; a < 3; a++) {
-                    const int16_t *v = in->mesh->pos[in->mesh->tri[t][c]];
-                    const zs_q2_30 *row = in->pose.rot + 3 * a;
-                    corner[c][a] = in->pose.pos[a] + in->pose.scale / 65536.0 *
-                                                         ((double)row[0] * v[0] + (double)row[1] * v[1] +
-                                                          (double)row[2] * v[2]) / ZS_Q30_ONE;
-                }
-            for (int a = 0; a < 3; a++) {
-                f->at[a] = corner[0][a];
-                f->e1[a] = corner[1][a] - corner[0][a];
-                f->e2[a] = corner[2][a] - corner[0][a];
-            }
-            for (int a = 0; a < 3; a++) {
-                f->n[a] = f->e1[(a + 1) % 3] * f->e2[(a + 2) % 3] - f->e1[(a + 2) % 3] * f->e2[(a + 1) % 3];
-                length += f->n[a] * f->n[a];
-            }
-            for (int a = 0; a < 3; a++)
-                f->n[a] /= sqrt(length);
-        }
-    }
-}
-
-/* How far along a ray its front is hit; INFINITY: not. */
-static double hit(const struct face *f, const double from[3], const double dir[3])
-{
-    double h[3], s[3], q[3];
-    for (int a = 0; a < 3; a++) {
-        h[a] = dir[(a + 1) % 3] * f->e2[(a + 2) % 3] - dir[(a + 2) % 3] * f->e2[(a + 1) % 3];
-        s[a] = from[a] - f->at[a];
-    }
-    for (int a = 0; a < 3; a++)
-        q[a] = s[(a + 1) % 3] * f->e1[(a + 2) % 3] - s[(a + 2) % 3] * f->e1[(a + 1) % 3];
-    const double det = dot(f->e1, h), u = dot(s, h) / det, v = dot(dir, q) / det;
-    return det <= 0 || u < 0 || v < 0 || u + v > 1 ? INFINITY : dot(f->e2, q) / det;
-}
-
-/* The face that is seen through a point of the picture, and where. NULL: none. */
-static const struct face *seen(const struct zs_camera *c, double x, double y, double at[3])
-{
-    const double focal = (double)c->focal / 4294967296.0, in[3] = { (x - W / 2.0) / focal, (H / 2.0 - y) / focal, -1 };
-    double from[3], dir[3], nearest = INFINITY;
-    const struct face *best = NULL;
-    for (int a = 0; a < 3; a++) {
-        from[a] = c->pos[a];
-        dir[a] = (c->rot[a] * in[0] + c->rot[3 + a] * in[1] + c->rot[6 + a] * in[2]) / ZS_Q30_ONE;
-    }
-    for (int k = 0; k < n_faces; k++)
-        if (hit(&faces[k], from, dir) < nearest) {
-            nearest = hit(&faces[k], from, dir);
-            best = &faces[k];
-        }
-    for (int a = 0; best && a < 3; a++)
-        at[a] = from[a] + nearest * dir[a];
-    return best;
-}
 
 enum { LIT = 1, DARK = 2 };
 
@@ -300,14 +218,14 @@ static int rays_case(uint64_t seed)
     picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &s.scene, &s.camera);
     CASE_CHECK(is.err == ZS_OK && bright.err == ZS_OK && dim.err == ZS_OK);
-    faces_make(&s);
+    faces_make(s.thing, THINGS);
     int right = 1;
     for (int i = 0; right && i < W * H; i += 11) {
         double at[3], beside[3];
-        const struct face *f = seen(&s.camera, i % W + 0.5, i / W + 0.5, at);
+        const struct face *f = seen(&s.camera, W, H, i % W + 0.5, i / W + 0.5, at);
         int sure = f != NULL;
         for (int k = 0; sure && k < 4; k++)
-            sure = seen(&s.camera, i % W + 0.5 + (k & 1 ? 0.05 : -0.05), i / W + 0.5 + (k & 2 ? 0.05 : -0.05),
+            sure = seen(&s.camera, W, H, i % W + 0.5 + (k & 1 ? 0.05 : -0.05), i / W + 0.5 + (k & 2 ? 0.05 : -0.05),
                         beside) == f;
         const int want = sure ? lit_around(&s, f, at) : LIT | DARK;
         if (want == (LIT | DARK))

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "boxes.h"
 #include "cases.h"
 #include "picture.h"
 #include "zs_method.h"
@@ -17,14 +18,6 @@
 #define THINGS (BOXES + 1)
 #define MAP_MAX 200
 
-static const int16_t box_pos[8][3] = { { -50, -50, 50 },  { 50, -50, 50 },  { 50, 50, 50 },  { -50, 50, 50 },
-                                       { -50, -50, -50 }, { 50, -50, -50 }, { 50, 50, -50 }, { -50, 50, -50 } };
-static const uint16_t box_tri[12][3] = {
-    { 0, 1, 2 }, { 0, 2, 3 }, { 5, 4, 7 }, { 5, 7, 6 }, { 1, 5, 6 }, { 1, 6, 2 },
-    { 4, 0, 3 }, { 4, 3, 7 }, { 3, 2, 6 }, { 3, 6, 7 }, { 4, 5, 1 }, { 4, 1, 0 }
-};
-static const int16_t ground_pos[4][3] = { { -100, 0, 100 }, { 100, 0, 100 }, { 100, 0, -100 }, { -100, 0, -100 } };
-static const uint16_t ground_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 static const struct zs_mesh box = { .pos = box_pos, .tri = box_tri, .n_verts = 8, .n_tris = 12, .radius = 87 },
                             ground = {
                                 .pos = ground_pos, .tri = ground_tri, .n_verts = 4, .n_tris = 2, .radius = 142
@@ -40,18 +33,6 @@ struct place {
     uint16_t key[MAP_MAX * MAP_MAX];
     double extent; /* of the light's view */
 };
-
-static void unit_of(double v[3])
-{
-    const double n = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (int k = 0; k < 3; k++)
-        v[k] /= n;
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* A light over the ground, from any side; the map may be smaller than the scene. */
 static int place_make(struct place *s, struct prng *p)
@@ -127,83 +108,6 @@ static int map_draw(struct place *s, struct prng *p)
 
 /* ---- Rays in doubles --------------------------------------------------------------------------- */
 
-struct face {
-    double at[3], e1[3], e2[3], n[3]; /* n: unit, outwards */
-    const struct zs_instance *of;
-};
-
-static struct face faces[12 * BOXES + 2];
-static int n_faces;
-
-static void faces_make(const struct place *s)
-{
-    n_faces = 0;
-    for (int k = 0; k < THINGS; k++) {
-        const struct zs_instance *in = &s->thing[k];
-        const double scale = in->pose.scale / 65536.0;
-        for (uint32_t t = 0; t < in->mesh->n_tris; t++) {
-            struct face *f = &faces[n_faces++];
-            double corner[3][3];
-            for (int c = 0; c < 3; c++)
-                for (int a = 0; a < 3; a++) {
-                    const int16_t *v = in->mesh->pos[in->mesh->tri[t][c]];
-                    const zs_q2_30 *row = in->pose.rot + 3 * a;
-                    corner[c][a] = in->pose.pos[a] +
-                                   scale * ((double)row[0] * v[0] + (double)row[1] * v[1] + (double)row[2] * v[2]) /
-                                       ZS_Q30_ONE;
-                }
-            for (int a = 0; a < 3; a++) {
-                f->at[a] = corner[0][a];
-                f->e1[a] = corner[1][a] - corner[0][a];
-                f->e2[a] = corner[2][a] - corner[0][a];
-            }
-            for (int a = 0; a < 3; a++)
-                f->n[a] = f->e1[(a + 1) % 3] * f->e2[(a + 2) % 3] - f->e1[(a + 2) % 3] * f->e2[(a + 1) % 3];
-            unit_of(f->n);
-            f->of = in;
-        }
-    }
-}
-
-/* How far along a ray its front is hit; INFINITY: not. */
-static double hit(const struct face *f, const double from[3], const double dir[3])
-{
-    double h[3], s[3], q[3];
-    for (int a = 0; a < 3; a++) {
-        h[a] = dir[(a + 1) % 3] * f->e2[(a + 2) % 3] - dir[(a + 2) % 3] * f->e2[(a + 1) % 3];
-        s[a] = from[a] - f->at[a];
-    }
-    for (int a = 0; a < 3; a++)
-        q[a] = s[(a + 1) % 3] * f->e1[(a + 2) % 3] - s[(a + 2) % 3] * f->e1[(a + 1) % 3];
-    const double det = dot(f->e1, h);
-    if (det <= 0)
-        return INFINITY;
-    const double u = dot(s, h) / det, v = dot(dir, q) / det;
-    return u < 0 || v < 0 || u + v > 1 ? INFINITY : dot(f->e2, q) / det;
-}
-
-/* The face that is seen through a point of the picture, and where. NULL: none. */
-static const struct face *seen(const struct zs_camera *c, int w, int h, double x, double y, double at[3])
-{
-    const double focal = (double)c->focal / 4294967296.0, in[3] = { (x - w / 2.0) / focal, (h / 2.0 - y) / focal, -1 };
-    double from[3], dir[3], nearest = INFINITY;
-    const struct face *best = NULL;
-    for (int a = 0; a < 3; a++) {
-        from[a] = c->pos[a];
-        dir[a] = (c->rot[a] * in[0] + c->rot[3 + a] * in[1] + c->rot[6 + a] * in[2]) / ZS_Q30_ONE;
-    }
-    for (int k = 0; k < n_faces; k++) {
-        const double t = hit(&faces[k], from, dir);
-        if (t < nearest) {
-            nearest = t;
-            best = &faces[k];
-        }
-    }
-    for (int a = 0; best && a < 3; a++)
-        at[a] = from[a] + nearest * dir[a];
-    return best;
-}
-
 enum { LIT = 1, DARK = 2 };
 
 /* Whether a point of a face is lit, moved by so many texels over the face's plane: LIT, DARK, or both where a caster is
@@ -268,7 +172,7 @@ static int rays_case(uint64_t seed)
     picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &s.scene, &s.camera);
     CASE_CHECK(is.err == ZS_OK);
-    faces_make(&s);
+    faces_make(s.thing, THINGS);
     int right = 1;
     for (int y = 0; right && y < h; y++)
         for (int x = y % 4; right && x < w; x += 4) {

@@ -83,8 +83,26 @@ static int sides(struct zs_job *job)
     return 1;
 }
 
+/* What accelerators of Armv6-M do in place of set-up: nothing is done where a core has none. */
 #if ZS_SET_UP
-/* The same by an accelerator. Return ZS_SET_UP_NOT if it has declined. */
+static enum zs_set_up (*set_up_of(const struct zs_renderer *r))(struct zs_job *)
+{
+    const struct zs_fast *const *at = r->config.fast;
+    while (at && *at && !(*at)->set_up)
+        at++;
+    const struct zs_fast *of = at ? *at : 0;
+    return of ? of->set_up : 0;
+}
+
+static inline void fast_target(struct zs_job *job, const struct zs_renderer *r)
+{
+    job->piece_shift = r->view.piece_shift;
+    job->key_slow = r->view.key_slow;
+    job->key_known = r->view.key_known;
+    job->set_up = job->depth && job->piece_shift ? set_up_of(r) : 0;
+}
+
+/* In place of job_setup and key_plane. Return ZS_SET_UP_NOT if it is not done. */
 static inline enum zs_set_up fast_setup(struct zs_job *job)
 {
     const enum zs_set_up done = job->set_up ? job->set_up(job) : ZS_SET_UP_NOT;
@@ -95,8 +113,16 @@ static inline enum zs_set_up fast_setup(struct zs_job *job)
     }
     return done;
 }
+
+/* In place of shader->start. Return 0 if it is not done. */
+static inline int fast_start(struct zs_job *job)
+{
+    return job->rows && job->fast->start && job->fast->start(job);
+}
 #else
-#define fast_setup(job) ZS_SET_UP_NOT
+#define fast_target(job, r) ((void)(job))
+#define fast_setup(job) ((void)(job), ZS_SET_UP_NOT)
+#define fast_start(job) ((void)(job), 0)
 #endif
 
 /* Set up job for its triangle in its strip. Return 0 if the triangle covers no pixel there. */
@@ -142,17 +168,6 @@ static ZS_NOINLINE int key_plane(struct zs_job *job)
         job->key.base += 0x8000u;
     }
     return linear;
-}
-
-/* In place of shader->start. Return 0 if it is not done. */
-static inline int fast_start(struct zs_job *job)
-{
-#if ZS_SET_UP
-    return job->rows && job->fast->start && job->fast->start(job);
-#else
-    (void)job;
-    return 0;
-#endif
 }
 
 /* Compute the gradients of a triangle whose edges are set up, and draw its scanlines. */
@@ -265,17 +280,6 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     return !r->untouched && r->view.piece_shift ? job->fast->draw : 0;
 }
 
-#if ZS_SET_UP
-static enum zs_set_up (*set_up_of(const struct zs_renderer *r))(struct zs_job *)
-{
-    const struct zs_fast *const *at = r->config.fast;
-    while (at && *at && !(*at)->set_up)
-        at++;
-    const struct zs_fast *of = at ? *at : 0;
-    return of ? of->set_up : 0;
-}
-#endif
-
 /* Set the fields of job that depend on the pass: the part of its viewport in the strip. */
 static void job_target(struct zs_job *job)
 {
@@ -292,12 +296,7 @@ static void job_target(struct zs_job *job)
     const int32_t at = (job->y0 - first) * job->pitch + r->view.x;
     job->color = r->color[0] + at;
     job->depth = r->depth ? r->depth + at : 0;
-#if ZS_SET_UP
-    job->piece_shift = r->view.piece_shift;
-    job->key_slow = r->view.key_slow;
-    job->key_known = r->view.key_known;
-    job->set_up = job->depth && job->piece_shift ? set_up_of(r) : 0;
-#endif
+    fast_target(job, r);
     job->key_limit = r->view.key_top - 0x10000u; /* a bucket below B - 1: room for half a bucket and
                                                     the error of the plane (plane.c) */
 }
