@@ -218,7 +218,7 @@ static void print_worst(const struct budget_request *rq, const struct budget *b)
 {
     const struct target to = target_of(rq);
     const double worst = b->counted.worst[to.core];
-    if (!(worst > 0.0))
+    if (!(worst > 0.0) || b->counted.has_effects) /* the strip would be without its effects */
         return;
     printf("  The slowest of %u strips takes %.2f M", b->counted.stats.strips, worst / 1e6);
     if (to.mhz > 0.0)
@@ -256,6 +256,8 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
             printf("%s %s %.0f %%", comma, sim_cost_names[k].stage, 100.0 * part[k]);
             comma = ",";
         }
+    if (b->counted.effects[to.core] > 0.0)
+        printf("%s effects %.0f %%", comma, 100.0 * b->counted.effects[to.core] / all);
     printf("\n");
     if (method)
         printf("  %u triangles sorted, %u pairs compared, %u splits, %u rays\n", b->counted.stats.sorted,
@@ -265,6 +267,9 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
             "  Numbers alone may be off by a third. A scene that is drawn and counted (--scene, a model) is at most\n"
             "  %.0f %% off on this core, of the demo and bench scenes, none of which is in the fit.\n",
             ceil(sim_cost_error(to.core)));
+    else if (b->counted.has_effects)
+        printf("  Of frames with effects on an emulated RP2040 (make effects-error), none is more than %.0f %% off.\n",
+               ceil(sim_effects_error()));
     else
         printf("  Of %s, none of which is in the fit, none is more than %.0f %% off on %s.\n",
                method ? "four scenes by five methods" : "the demo and bench scenes", ceil(budget_error(b, to.core)),

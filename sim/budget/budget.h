@@ -26,7 +26,7 @@ struct budget_request {
     double fragments;          /* depth complexity there */
     int has_tris, has_verts, has_strip, has_core, has_mhz, has_cpi, has_buffer, has_scene_tris, has_scene_verts;
     int state, textbook, csv, help; /* flags */
-    int quiet;                      /* flag: nothing is said of materials that count as others */
+    int quiet;                      /* flag: nothing is said of code that is not in the flash */
     struct sim_kept_scene *kept;    /* of the model, in views that are asked for in turn; NULL: for this one alone */
     int methods, effects;           /* flags */
     long ram;                       /* --ram: bytes for --methods */
@@ -85,6 +85,7 @@ struct budget {
     struct budget_flash flash[BUDGET_CPUS];
     struct budget_wire wire;
     int has_wire; /* flag: there is a panel */
+    uint32_t samples; /* a pixel, 4; 0: one */
     int states;   /* flag: some instance has one */
     int guessed;  /* flag: counted is from numbers, not from a frame */
     const struct sim_method *method; /* how hidden surfaces are removed */

@@ -120,5 +120,11 @@ int budget_take(struct budget *b, const struct budget_request *rq)
     for (int c = 0; c < BUDGET_CPUS; c++)
         budget_flash(&b->flash[c], rq, b, (enum budget_cpu)c);
     b->has_wire = rq->o.panel.name != NULL;
-    return b->has_wire ? budget_wire(&b->wire, rq, &b->config) : SIM_OK;
+    struct zs_config sent = b->config; /* what the panel gets */
+    if (b->samples > 1) {
+        sent.width /= 2u;
+        sent.height /= 2u;
+        sent.strip_h /= 2u;
+    }
+    return b->has_wire ? budget_wire(&b->wire, rq, &sent) : SIM_OK;
 }

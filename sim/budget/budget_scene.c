@@ -9,13 +9,16 @@
 #include "budget.h"
 #include "demo_frame.h"
 #include "frame.h"
+#include "line_style.h"
 #include "model.h"
+#include "render.h"
 #include "core/frame.h"
 #include "core/fx.h"
 #include "core/job.h"
 #include "core/view.h"
 #include "core/xform.h"
 #include "zs_filter.h"
+#include "zs_method.h"
 #include "zs_shader.h"
 #include "core/cull.h"
 #include "scene_parts.h"
@@ -191,36 +194,54 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
 static int has_effects(const struct zs_scene *scene)
 {
     for (uint32_t i = 0; i < scene->n_instances; i++)
-        if (sim_costs_plain(scene->instance[i].material->shader) != NULL)
+        if (shade_bit(scene->instance[i].material->shader) == 0)
             return 1;
     return 0;
 }
 
-/* Its bytes are those of its materials. */
-int budget_model(struct budget *b, const struct budget_request *rq, const struct sim_model *model)
+struct counting {
+    struct budget *b;
+    const struct budget_request *rq;
+};
+
+/* A model's frame, as it is drawn, effects and all. Of four samples a pixel pools, strips and bytes are those of the
+ * frame of twice the size each way that the renderer draws. */
+static int count_drawn(void *ctx, const struct sim_drawn_scene *d)
 {
-    struct sim_options o = rq->o;
-    struct sim_view view;
-    struct sim_kept_scene own = { 0 }, *kept = rq->kept != NULL ? rq->kept : &own;
-    memset(b, 0, sizeof *b);
-    b->method = &sim_methods[rq->o.method];
-    int status = sim_view_plan(&view, &o, model);
-    if (status == SIM_OK)
-        status = sim_kept_take(kept, model, &view, &o);
-    const uint32_t data = (uint32_t)kept->scene.data_bytes;
-    if (status == SIM_OK && has_effects(&kept->scene.scene) && !rq->quiet)
+    const struct counting *of = ctx;
+    struct budget *b = of->b;
+    struct zs_config *c = &b->config;
+    set_config(b, of->rq, d->config.width, d->config.height, d->config.varyings, d->config.depth);
+    if (d->samples > 1) {
+        b->samples = (uint32_t)d->samples;
+        c->strip_h = d->config.strip_h;
+    }
+    if (d->config.method == &zs_method_transparent)
+        c->method = d->config.method;
+    const int status = count_scene(b, of->rq, of->rq->o.model, d->scene, d->camera);
+    if (d->samples > 1)
+        sim_effects_add_samples(&b->counted, (double)c->width * c->height / (double)d->samples);
+    if (d->mirrored != NULL)
+        sim_effects_unknown(&b->counted, "a mirror");
+    b->data = (uint32_t)d->data_bytes;
+    if (has_effects(d->scene) && !of->rq->quiet)
         (void)fprintf(stderr,
                       "%s: %s: the code of materials with transparency, highlights or emission is not in the flash; "
                       "%s\n",
-                      sim_program, o.model, "it is 1 to 8 KB");
-    if (status == SIM_OK) {
-        set_config(b, rq, (uint16_t)o.size[0], (uint16_t)o.size[1], sim_scene_varyings(&kept->scene.scene),
-                   mapping(rq));
-        if (view.orthographic)
-            b->config.depth = &zs_depth_linear;
-        status = count_scene(b, rq, o.model, &kept->scene.scene, &kept->scene.camera);
-        b->data = data;
-    }
+                      sim_program, of->rq->o.model, "it is 1 to 8 KB");
+    return status;
+}
+
+/* Its bytes are those of its materials. Lines and points count as the faces that they are in place of. */
+int budget_model(struct budget *b, const struct budget_request *rq, const struct sim_model *model)
+{
+    struct counting counting = { b, rq };
+    struct sim_options o = rq->o;
+    struct sim_kept_scene own = { 0 };
+    memset(b, 0, sizeof *b);
+    b->method = &sim_methods[rq->o.method];
+    o.style = SIM_STYLE_SOLID;
+    const int status = sim_render_scene(rq->kept != NULL ? rq->kept : &own, model, &o, count_drawn, &counting);
     sim_kept_free(&own);
     return status;
 }

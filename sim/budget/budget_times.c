@@ -16,7 +16,8 @@ double budget_cpi(const struct budget_request *rq, enum sim_core core)
 
 double budget_error(const struct budget *b, enum sim_core core)
 {
-    return b->method->method ? sim_cost_method_error() : sim_cost_error(core);
+    const double error = b->method->method ? sim_cost_method_error() : sim_cost_error(core);
+    return b->counted.has_effects ? fmax(error, sim_effects_error()) : error;
 }
 
 int budget_has_time(const struct budget *b)

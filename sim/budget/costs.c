@@ -48,5 +48,5 @@ double sim_costs_sum(enum sim_core core, const struct sim_counted *counted)
     for (int k = 0; k < SIM_COST_N; k++)
         if (counted->n[k] != 0.0)
             sum += counted->n[k] * sim_cost_of(core, (enum sim_cost)k);
-    return sum;
+    return sum + counted->effects[core];
 }

@@ -157,7 +157,8 @@
     X(cutout_run, "run", "more for a run of those")                                                             \
     X(blend_px, "run", "more for a pixel that is blended")                                                      \
     X(blend_run, "run", "more for a run of those")                                                              \
-    X(blend_texel_run, "run", "more for a run of texels with alpha that are blended")
+    X(blend_texel_run, "run", "more for a run of texels with alpha that are blended")                           \
+    X(add_px, "run", "more for a pixel that is added")
 
 #define SIM_COST_ENUM(name, stage, what) SIM_COST_##name,
 enum sim_cost { SIM_COSTS(SIM_COST_ENUM) SIM_COST_N };
@@ -173,6 +174,9 @@ extern const char *const sim_core_names[SIM_CORES]; /* as tests/records/bench.tx
 struct sim_counted {
     double n[SIM_COST_N];  /* how often in the frame */
     double worst[SIM_CORES]; /* instructions (RP2040: cycles) of the slowest strip; 0: strips were not looked at */
+    double effects[SIM_CORES]; /* what effects take beside that; NAN: one of them was not measured, which is ... */
+    const char *unknown;       /* ... this; NULL: none */
+    int has_effects;           /* flag: there is something in that */
     struct zs_stats stats; /* of it */
     uint32_t checksum;     /* FNV-1a, 32 bits, of its bytes as they leave */
 };
@@ -188,7 +192,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
 
 /* ---- What one costs ----------------------------------------------------------------------------- */
 
-/* Of an effect, as the effects' record has it; < 0: of no effect. */
+/* Of a stage of an effect, as the effects' record has it; < 0: it is no effect's. */
 double sim_effect_cost(enum sim_core core, enum sim_cost cost);
 /* Instructions (RP2040: cycles) of one, as on record. */
 double sim_cost_of(enum sim_core core, enum sim_cost cost);
@@ -198,6 +202,32 @@ double sim_cost_error(enum sim_core core);
 double sim_cost_method_error(void);
 /* Of a frame. */
 double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
+
+/* ---- Effects ------------------------------------------------------------------------------------ */
+
+/* Work of one material with a shader of an effect. */
+struct sim_effect_work {
+    double px, vertices, faces, runs; /* coloured; shaded; of one colour; runs that pixels came in */
+    int fetched; /* flag: the texels of those pixels are in the stages' costs */
+};
+/* Add what it takes to counted->effects; material: the one that is drawn. */
+void sim_effects_add(struct sim_counted *counted, const struct zs_material *material,
+                     const struct sim_effect_work *work);
+/* Of a material whose effect is counted by stages: add what its lamps take beyond one directional lamp. */
+void sim_effects_add_lamps(struct sim_counted *counted, const struct zs_material *material,
+                           const struct sim_effect_work *work);
+/* Add n pixels of a hook: fog, dithering. drawn: pixels on which something is drawn, all: those of the frame. */
+void sim_effects_add_hook(struct sim_counted *counted, const struct zs_resolve *hook, double drawn, double all);
+/* Add n pixels of the panel that were made of four samples each. */
+void sim_effects_add_samples(struct sim_counted *counted, double n);
+/* Is what a vertex of it takes, more than by a plain shader, a matter of how runs begin? */
+struct sim_shader_row;
+int sim_effects_begin_runs(const struct sim_shader_row *of);
+/* Something is drawn that was not measured. */
+void sim_effects_unknown(struct sim_counted *counted, const char *what);
+/* The most that estimates of frames with effects are off by, percent, of those of tests/lab/effects/error.mjs (make
+ * effects-error) on an emulated RP2040; other cores were not held against any. */
+double sim_effects_error(void);
 
 /* Put costs in the place of what is on record. */
 void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N]);

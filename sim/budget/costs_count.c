@@ -21,12 +21,14 @@
 #include "method/order.h"
 #include "method/raycast.h"
 #include "shade/texture.h"
+#include "shader_table.h"
+#include "sim.h"
 #include "zs_blend.h"
 #include "zs_filter.h"
 #include "zs_lights.h"
 #include "zs_method.h"
 #include "zs_shader.h"
-#include "sim.h"
+#include "zs_shadow.h"
 
 #define SIM_COST_NAME(name, stage, what) { #name, stage, what },
 const struct sim_cost_name sim_cost_names[SIM_COST_N] = { SIM_COSTS(SIM_COST_NAME) };
@@ -40,6 +42,10 @@ struct our_shader {
     enum sim_cost vertex, face;
     const struct zs_shader *like; /* the shader whose stages an effect's are made of; NULL: this is none */
     int shines, blends;           /* flags: it has highlights; it is blended */
+    int effect; /* flag: what the stages do not know; drawn in the general way, and its work counted */
+    int begins; /* flag: how its runs begin is in what its vertices take */
+    int own;    /* flag: leaves pixels out, and takes as long for them */
+    struct sim_effect_work work;
 };
 struct our_texel {
     struct zs_texel texel;
@@ -57,9 +63,13 @@ struct thing { /* an instance's copies */
     struct our_fast fast;      /* of the shader ... */
     struct zs_fast texel_fast; /* ... and of the texel format */
     struct zs_fast_texel texel_hooks;
-    struct zs_lit_material lit; /* an effect's whole material, ... */
-    struct zs_blend blend;      /* ... of one of these kinds, where its shader has that */
-    struct zs_material material;
+    union { /* as the shader takes it */
+        struct zs_material material;
+        struct zs_blend blend;
+        struct zs_lit_material lit;
+        struct zs_shadowed_material shadowed;
+        struct zs_shadowed_lit shadowed_lit;
+    } as;
     struct zs_texture texture;
 };
 
@@ -205,9 +215,10 @@ static const struct zs_renderer *renderer_of(const struct zs_shading *s)
 
 static void on_vertex(const struct zs_shading *shading, uint32_t v, uint16_t *out)
 {
-    const struct our_shader *s = shader_of(shading->instance->material->shader);
+    struct our_shader *s = shader_of(shading->instance->material->shader);
     now.n[s->vertex]++;
     now.n[SIM_COST_lit_shine] += s->vertex == SIM_COST_lit_vertex && s->shines;
+    s->work.vertices++;
     s->of->vertex(shading, v, out);
 }
 
@@ -276,7 +287,8 @@ static int all_asked(uint32_t width, const struct zs_mesh *mesh)
 static uint16_t on_face(const struct zs_shading *shading, uint32_t t)
 {
     const struct zs_renderer *r = renderer_of(shading);
-    const struct our_shader *s = shader_of(r->xform.instance->material->shader);
+    struct our_shader *s = shader_of(r->xform.instance->material->shader);
+    s->work.faces++;
     count_cover(r);
     if (now.tiles && r->direct && !all_asked(r->config.width, r->xform.instance->mesh) && is_large(r, t))
         now.n[SIM_COST_tri_asked]++;
@@ -334,13 +346,14 @@ static void look_plane(const struct zs_job *job)
     now.huge = !job->geom.rcp;
 }
 
-/* A triangle that is set up the general way. */
-static void count_setup(const struct shape *s)
+/* A triangle that is set up the general way. plain: of one colour by an effect; such small ones are in no probe, and
+ * count as larger ones. */
+static void count_setup(const struct shape *s, int plain)
 {
     now.setups++;
     now.tested += (uint64_t)s->px;
     now.n[SIM_COST_setup]++;
-    now.n[SIM_COST_setup_wide] += now.wide;
+    now.n[SIM_COST_setup_wide] += now.wide || plain;
     if (now.r->depth) {
         now.n[SIM_COST_plane_wide] += now.huge && s->tilted; /* its key */
         now.n[SIM_COST_tilt] += s->tilted && !now.huge;
@@ -483,7 +496,7 @@ static void on_method_span(struct zs_job *job, const struct zs_row *row, int32_t
     if (!is_hiz() && (job->tri != now.method_tri || row->y < now.method_row)) { /* hiz: by on_planes */
         look(&now.shape, job);
         look_plane(job);
-        count_setup(&now.shape);
+        count_setup(&now.shape, 0);
     }
     now.method_tri = job->tri;
     now.method_row = row->y;
@@ -590,9 +603,39 @@ static void count_method(void)
     n[SIM_COST_ray] = s->rays;
 }
 
+#define LONG_PART 32.0 /* px of a part in the runs that effects were measured in */
+
+/* A run of an effect, of n pixels of a row: what begins it, beyond what it was in the long runs that were measured. */
+static void count_begin(const struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    const struct our_shader *s = shader_of(job->shader);
+    const int perspective = job->sub_log2 != ZS_AFFINE;
+    const int log2 = s->kind == KIND_SMOOTH && perspective ? (int)job->sub_log2 : 5;
+    const double parts = ((to - 1 - row->x0) >> log2) - ((from - row->x0) >> log2) + 1;
+    const double more = parts - (to - from) / LONG_PART;
+    if (more > 0.0 && !s->begins && s->kind == KIND_SMOOTH && perspective)
+        now.n[SIM_COST_run_smooth_part] += more;
+}
+
+/* A run of an effect. */
+static void count_effect(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    struct our_shader *s = shader_of(job->shader);
+    s->work.px += to - from;
+    s->work.runs++;
+    now.n[SIM_COST_run]++;
+    now.n[SIM_COST_won_runs] += to - from;
+    count_begin(job, row, from, to);
+    now.job = job;
+    now.own = job->shader;
+    s->of->run(job, row, from, to);
+    now.job = NULL;
+}
+
 #define NO_OCTAVES INT32_MIN /* job->w64_scale, where a triangle's keys lie in one */
 
 static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk);
+static int is_added(const struct zs_shader *of);
 
 /* Texels that a format's other function has fetched, or that are taken to be. */
 static void count_alpha_texels(const struct zs_job *job, int32_t n)
@@ -610,8 +653,12 @@ static void count_alpha_texels(const struct zs_job *job, int32_t n)
 
 static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
-    const struct our_shader *s = shader_of(job->shader);
+    struct our_shader *s = shader_of(job->shader);
     const int untouched = job->split & ZS_SPLIT_TOUCH && !now.testing, texels = s->kind == KIND_TEXTURE;
+    if (s->effect) {
+        count_effect(job, row, from, to);
+        return;
+    }
     const int plain = now.method_of && !is_hiz();
     now.n[is_method(&zs_method_coverage) ? SIM_COST_run_covered : plain ? SIM_COST_run_plain : SIM_COST_run]++;
     now.n[SIM_COST_run_untouched] += untouched;
@@ -633,6 +680,7 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
         now.n[SIM_COST_gloss_px] += to - from;
     if (s->of->span) {
         now.n[s->blends ? SIM_COST_blend_px : SIM_COST_cutout_px] += to - from;
+        now.n[SIM_COST_add_px] += is_added(s->of) ? to - from : 0;
         now.n[!s->blends ? SIM_COST_cutout_run : texels ? SIM_COST_blend_texel_run : SIM_COST_blend_run]++;
     }
     if (s->of->span && texels)
@@ -641,6 +689,28 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
     now.own = job->shader;
     s->of->run(job, row, from, to);
     now.job = NULL;
+}
+
+/* A piece of a row of an effect that tests depth in its own way. */
+static void on_own_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                        uint32_t step)
+{
+    struct our_shader *s = shader_of(job->shader);
+    const uint32_t before = written();
+    const double runs = s->work.runs, px = s->work.px, before_won = now.n[SIM_COST_won_runs];
+    now.job = job;
+    now.own = job->shader;
+    s->of->span(job, row, i0, i1, sum, step);
+    now.job = NULL;
+    const uint32_t won = written() - before;
+    now.n[job->depth_state ? SIM_COST_px_state : SIM_COST_px_runs] += i1 - i0;
+    now.n[SIM_COST_won_runs] = before_won + won;
+    s->work.px = px + (s->own ? (double)(i1 - i0) : (double)won);
+    now.n[SIM_COST_run] += s->own; /* its pattern */
+    if (won > 0 && s->work.runs == runs) { /* it has not called run */
+        s->work.runs++;
+        count_begin(job, row, i0, i1);
+    }
 }
 
 static void on_light(uint16_t *out, int32_t n, uint32_t level, uint32_t step)
@@ -692,10 +762,14 @@ static int on_planes(struct zs_job *job)
     const struct shape *shape = &now.shape;
     look(&now.shape, job);
     look_plane(job);
-    count_setup(shape);
+    count_setup(shape, shader_of(job->shader)->effect && shader_of(job->shader)->kind == KIND_SOLID);
     job->w64_scale = NO_OCTAVES;
     const int linear = now.linear || now.of->planes(job);
-    if (job->split & ZS_SPLIT_TOUCH) {
+    if (shader_of(job->shader)->effect) {
+        now.n[SIM_COST_span_runs] += shape->spans;
+        if (shader_of(job->shader)->shader.span == NULL)
+            now.n[job->depth_state ? SIM_COST_px_state : SIM_COST_px_runs] += shape->px;
+    } else if (job->split & ZS_SPLIT_TOUCH) {
         now.untouched = 1;
         now.n[SIM_COST_setup_untouched]++;
         now.n[SIM_COST_setup_octaves] += job->w64_scale != NO_OCTAVES;
@@ -826,16 +900,19 @@ static double walks_of(double first, double others)
 
 /* ---- Copies ------------------------------------------------------------------------------------- */
 
-/* The opaque shader of a blending one; NULL: it is none. */
+static int is_added(const struct zs_shader *of)
+{
+    return of == &zs_add_smooth || of == &zs_add_texture || of == &zs_add_texture_flat || of == &zs_add_texture_smooth;
+}
+
+/* The opaque shader of a blending one with varyings; NULL: it is none. */
 static const struct zs_shader *opaque(const struct zs_shader *of)
 {
-    return of == &zs_blend_raw              ? &zs_shade_raw
-           : of == &zs_blend_flat           ? &zs_shade_flat
-           : of == &zs_blend_smooth         ? &zs_shade_smooth
-           : of == &zs_blend_texture        ? &zs_shade_texture
-           : of == &zs_blend_texture_flat   ? &zs_shade_texture_flat
-           : of == &zs_blend_texture_smooth ? &zs_shade_texture_smooth
-                                            : NULL;
+    return of == &zs_blend_smooth || of == &zs_add_smooth                     ? &zs_shade_smooth
+           : of == &zs_blend_texture || of == &zs_add_texture                 ? &zs_shade_texture
+           : of == &zs_blend_texture_flat || of == &zs_add_texture_flat       ? &zs_shade_texture_flat
+           : of == &zs_blend_texture_smooth || of == &zs_add_texture_smooth ? &zs_shade_texture_smooth
+                                                                                : NULL;
 }
 
 /* The shader that an effect's is made of; NULL: it is none that is known. */
@@ -859,16 +936,58 @@ static int is_lit(const struct zs_shader *of)
     return of == &zs_shade_lit_face || of == &zs_shade_lit || of == &zs_shade_texture_gloss;
 }
 
-static void copy_shader(struct our_shader *s, const struct zs_shader *of)
+/* An opaque effect whose texels come as those of zs_shade_texture do, by which it is drawn to be counted. */
+static int is_like_texture(const struct zs_shader *of)
 {
+    const struct zs_shader *const like[] = {
+        &zs_shade_bilinear,        &zs_shade_bilinear_flat,         &zs_shade_bilinear_smooth,
+        &zs_shade_mipmap,          &zs_shade_mipmap_flat,           &zs_shade_mipmap_smooth,
+        &zs_shade_mipmap_bilinear, &zs_shade_mipmap_bilinear_flat,  &zs_shade_mipmap_bilinear_smooth,
+        &zs_shade_texture_lit
+    };
+    for (size_t i = 0; i < sizeof like / sizeof like[0]; i++)
+        if (of == like[i])
+            return 1;
+    return 0;
+}
+
+/* Its work is counted. Where texels are fetched in the general way, those are counted as a texture's. */
+static void copy_effect(struct our_shader *s, const struct sim_shader_row *row, const struct zs_texture *texture)
+{
+    const struct zs_shader *of = s->of;
+    const int has_varyings = row != NULL && row->vertex != NULL && of->n_varyings > 0, textured = texture != NULL;
+    s->kind = !has_varyings ? KIND_SOLID : textured ? KIND_TEXTURE : KIND_SMOOTH;
+    s->begins = !has_varyings || sim_effects_begin_runs(row);
+    s->work.fetched = s->kind == KIND_TEXTURE && (!s->begins || is_like_texture(of)) &&
+                      (texture->format == &zs_texel_565 || texture->format == &zs_texel_pal8 ||
+                       texture->format == &zs_texel_pal4);
+    if (s->work.fetched && is_like_texture(of)) {
+        s->of = of = &zs_shade_texture;
+        s->shader = *of;
+        s->shader.vertex = on_vertex;
+        s->shader.face = on_face;
+        s->shader.start = on_start;
+        s->shader.run = on_run;
+    }
+    s->vertex = textured ? SIM_COST_attr_texture : SIM_COST_light_smooth;
+    s->own = row != NULL && strncmp(row->name, "zs_stipple", 10) == 0;
+    s->face = row != NULL && row->is_flat ? SIM_COST_face_flat : SIM_COST_N;
+    s->shader.light = of->light;
+    s->shader.span = of->span != NULL ? on_own_span : NULL;
+}
+
+static void copy_shader(struct our_shader *s, const struct zs_shader *of, const struct zs_texture *texture)
+{
+    const struct sim_shader_row *row = sim_shader_row_of(of);
     s->blends = opaque(of) != NULL;
     s->like = like(of);
     const struct zs_shader *plain = s->like ? s->like : of;
-    const int texture = plain == &zs_shade_texture || plain == &zs_shade_texture_flat ||
-                        plain == &zs_shade_texture_smooth;
+    const int is_texture = plain == &zs_shade_texture || plain == &zs_shade_texture_flat ||
+                           plain == &zs_shade_texture_smooth;
+    s->effect = !s->like && (row == NULL || row->effect != NULL);
     s->shader = *of;
     s->of = of;
-    s->kind = texture ? KIND_TEXTURE : plain == &zs_shade_smooth ? KIND_SMOOTH : KIND_SOLID;
+    s->kind = is_texture ? KIND_TEXTURE : plain == &zs_shade_smooth ? KIND_SMOOTH : KIND_SOLID;
     s->vertex = of == &zs_shade_lit                 ? SIM_COST_lit_vertex
                 : of == &zs_shade_texture_gloss     ? SIM_COST_gloss_vertex
                 : plain == &zs_shade_smooth         ? SIM_COST_light_smooth
@@ -883,6 +1002,8 @@ static void copy_shader(struct our_shader *s, const struct zs_shader *of)
     s->shader.run = on_run;
     s->shader.light = of->light ? on_light : NULL;
     s->shader.span = of->span;
+    if (s->effect)
+        copy_effect(s, row, texture);
 }
 
 static void copy_texel(struct our_texel *x, const struct zs_texel *of)
@@ -928,25 +1049,22 @@ static void copy_fast(struct thing *t, const struct zs_fast *const *list)
 static void copy(struct zs_instance *in, struct thing *t, const struct zs_fast *const *list)
 {
     const struct zs_texture *texture = in->material->texture;
-    const int lit = is_lit(in->material->shader);
-    copy_shader(&t->shader, in->material->shader);
-    struct zs_material *const material = lit               ? &t->lit.material
-                                         : t->shader.blends ? &t->blend.material
-                                                            : &t->material;
-    if (lit)
-        t->lit = *(const struct zs_lit_material *)(const void *)in->material;
-    if (t->shader.blends)
-        t->blend = *(const struct zs_blend *)(const void *)in->material;
-    *material = *in->material;
-    t->shader.shines = lit && t->lit.shine;
-    material->shader = &t->shader.shader;
+    const struct sim_shader_row *row = sim_shader_row_of(in->material->shader);
+    memcpy(&t->as, in->material, sim_shader_material_bytes(row != NULL ? row->material : SIM_MATERIAL_PLAIN));
+    copy_shader(&t->shader, in->material->shader, texture);
+    t->shader.shines = is_lit(in->material->shader) && t->as.lit.shine;
+    t->as.material.shader = &t->shader.shader;
+    in->material = &t->as.material;
+    if (t->shader.effect && !t->shader.work.fetched)
+        return;
     if (texture && texture->format) {
         t->texture = *texture;
         copy_texel(&t->texel, texture->format);
         t->texture.format = &t->texel.texel;
-        material->texture = &t->texture;
+        t->as.material.texture = &t->texture;
     }
-    in->material = material;
+    if (t->shader.effect)
+        return;
     copy_fast(t, list);
 }
 
@@ -963,7 +1081,8 @@ static const struct zs_fast **list_of(const struct zs_fast *const *list, const s
         if (!(*list)->shader && !(*list)->format)
             out[k++] = *list;
     for (size_t i = 0; i < n; i++) {
-        out[k++] = &things[i].fast.fast;
+        if (!things[i].shader.effect)
+            out[k++] = &things[i].fast.fast;
         if (things[i].texel.fast_of)
             out[k++] = &things[i].texel_fast;
     }
@@ -1078,6 +1197,23 @@ static void find_worst(struct sim_counted *out)
     }
 }
 
+/* What effects take: their shaders, and hooks over what is drawn. */
+static void count_effects(struct sim_counted *out, const struct zs_scene *scene, const struct thing *things,
+                          const struct sim_frame *frame)
+{
+    const double all = (double)frame->width * frame->height;
+    double drawn = 0.0;
+    for (size_t i = 0; scene->n_resolves > 0 && frame->key != NULL && i < all; i++)
+        drawn += frame->key[i] != ZS_DEPTH_CLEAR;
+    for (uint32_t i = 0; i < scene->n_instances; i++)
+        if (things[i].shader.effect)
+            sim_effects_add(out, scene->instance[i].material, &things[i].shader.work);
+        else if (is_lit(scene->instance[i].material->shader))
+            sim_effects_add_lamps(out, scene->instance[i].material, &things[i].shader.work);
+    for (uint32_t i = 0; i < scene->n_resolves; i++)
+        sim_effects_add_hook(out, &scene->resolve[i], drawn, all);
+}
+
 int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
                     const struct zs_config *config)
 {
@@ -1123,6 +1259,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
         count_asked(scene, config, &frame.stats);
         if (now.walks > 0 && frame.stats.strips > 0)
             find_worst(out);
+        count_effects(out, scene, things, &frame);
         if (now.tested != frame.stats.pixels_tested)
             err = SIM_FRAME_BROKEN;
     }

@@ -133,7 +133,7 @@ static int count(struct figures *f, const struct sim_options *o, const struct si
     memset(f, 0, sizeof *f);
     budget_defaults(&rq);
     rq.kept = &kept;
-    rq.quiet = 1; /* print() says what materials lose */
+    rq.quiet = 1;
     for (uint32_t k = 0; status == SIM_OK && k < PROBES; k++) {
         struct budget b;
         status = sim_turntable_view(&rq.o, o, model, k, PROBES);

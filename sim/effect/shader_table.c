@@ -12,11 +12,13 @@
 #include "zs_shadow.h"
 
 #define ROW(name_, effect_, material_, vertex_, ...)                                                              \
-    { &name_, #name_, effect_, SIM_MATERIAL_##material_, { __VA_ARGS__ }, vertex_ }
+    { &name_, #name_, effect_, SIM_MATERIAL_##material_, 0, vertex_, { __VA_ARGS__ } }
+#define FLAT(name_, effect_, material_, vertex_, ...)                                                             \
+    { &name_, #name_, effect_, SIM_MATERIAL_##material_, 1, vertex_, { __VA_ARGS__ } }
 #define PLAIN(name_) ROW(name_, NULL, PLAIN, NULL, NULL)
 #define TRANSPARENT(family, one, more, less)                                                                      \
     ROW(zs_##family##_raw, "transparency", BLEND, NULL, one, more, less),                                         \
-        ROW(zs_##family##_flat, "transparency", BLEND, NULL, one, more, less)
+        FLAT(zs_##family##_flat, "transparency", BLEND, NULL, one, more, less)
 
 static const struct sim_shader_row rows[] = {
     PLAIN(zs_shade_raw),
@@ -28,50 +30,57 @@ static const struct sim_shader_row rows[] = {
     TRANSPARENT(blend, "blend", "", ""),
     ROW(zs_blend_smooth, "transparency", BLEND, "a vertex: smooth", "blend_smooth", "", ""),
     ROW(zs_blend_texture, "transparency", BLEND, "a vertex: texture", "blend_texture", "", ""),
-    ROW(zs_blend_texture_flat, "transparency", BLEND, "a vertex: texture", "blend_texture", "", ""),
+    FLAT(zs_blend_texture_flat, "transparency", BLEND, "a vertex: texture", "blend_texture", "", ""),
     ROW(zs_blend_texture_smooth, "transparency", BLEND, "a vertex: texture", "blend_texture", "texture_lit",
         "texture"),
     TRANSPARENT(add, "add", "", ""),
     ROW(zs_add_smooth, "transparency", BLEND, "a vertex: smooth", "blend_smooth", "add", "blend"),
     ROW(zs_add_texture, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
-    ROW(zs_add_texture_flat, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
+    FLAT(zs_add_texture_flat, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
     ROW(zs_add_texture_smooth, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
     TRANSPARENT(stipple, "screen-door", "", ""),
-    ROW(zs_stipple_smooth, "transparency", BLEND, "a vertex: smooth", "smooth", "screen-door", "raw"),
-    ROW(zs_stipple_texture, "transparency", BLEND, "a vertex: texture", "texture", "screen-door", "raw"),
-    ROW(zs_stipple_texture_flat, "transparency", BLEND, "a vertex: texture", "texture", "screen-door", "raw"),
-    ROW(zs_stipple_texture_smooth, "transparency", BLEND, "a vertex: texture", "texture_lit", "screen-door", "raw"),
+    ROW(zs_stipple_smooth, "transparency", BLEND, "a vertex: smooth", "smooth", "blend", ""),
+    ROW(zs_stipple_texture, "transparency", BLEND, "a vertex: texture", "texture", "blend", ""),
+    FLAT(zs_stipple_texture_flat, "transparency", BLEND, "a vertex: texture", "texture", "blend", ""),
+    ROW(zs_stipple_texture_smooth, "transparency", BLEND, "a vertex: texture", "texture_lit", "blend", ""),
     ROW(zs_shade_lit, "lamps or highlights", LIT, "a vertex: lit", "lit", "", ""),
-    ROW(zs_shade_lit_face, "lamps or highlights", LIT, "a vertex: lit", "raw", "", ""),
+    FLAT(zs_shade_lit_face, "lamps or highlights", LIT, "a vertex: lit", "raw", "", ""),
     ROW(zs_shade_texture_lit, "lamps on a texture", LIT, "a vertex: texture_lit", "texture_lit", "", ""),
     ROW(zs_shade_texture_gloss, "highlights on a texture", LIT, "a vertex: texture_lit", "texture_lit", "", ""),
-    ROW(zs_shade_texture_tinted, "coloured lamps on a texture", LIT, "a vertex: texture_lit", NULL),
-    ROW(zs_shade_texture_gloss_tinted, "coloured lamps on a texture", LIT, "a vertex: texture_lit", NULL),
+    ROW(zs_shade_texture_tinted, "coloured lamps on a texture", LIT, "a vertex: texture_gloss_tinted",
+        "texture_gloss_tinted", "texture_gloss, no highlight", "texture_gloss"),
+    ROW(zs_shade_texture_gloss_tinted, "coloured lamps on a texture", LIT, "a vertex: texture_gloss_tinted",
+        "texture_gloss_tinted", "", ""),
     ROW(zs_shade_phong, "light at each pixel", LIT, "a vertex: phong, matt", "phong, matt", "", ""),
     ROW(zs_shade_phong_near, "light at each pixel", LIT, "a vertex: phong, matt", "phong_near, point", "", ""),
-    ROW(zs_shade_texture_phong, "light at each pixel of a texture", LIT, "a vertex: phong, matt", "phong_near, point",
-        "texture", "raw"),
+    ROW(zs_shade_texture_phong, "light at each pixel of a texture", LIT, "a vertex: texture_phong", "texture_phong", "",
+        ""),
     ROW(zs_shade_bilinear, "a texture filter", PLAIN, "a vertex: bilinear", "bilinear, 8 px a texel", "", ""),
-    ROW(zs_shade_bilinear_flat, "a texture filter", PLAIN, "a vertex: bilinear", "bilinear, 8 px a texel", "", ""),
+    FLAT(zs_shade_bilinear_flat, "a texture filter", PLAIN, "a vertex: bilinear", "bilinear, 8 px a texel", "", ""),
     ROW(zs_shade_bilinear_smooth, "a texture filter", PLAIN, "a vertex: bilinear", "bilinear, 8 px a texel",
         "texture_lit", "texture"),
     ROW(zs_shade_mipmap, "mipmaps", PLAIN, "a vertex: bilinear", "1 px a texel: mipmap", "", ""),
-    ROW(zs_shade_mipmap_flat, "mipmaps", PLAIN, "a vertex: bilinear", "1 px a texel: mipmap", "", ""),
+    FLAT(zs_shade_mipmap_flat, "mipmaps", PLAIN, "a vertex: bilinear", "1 px a texel: mipmap", "", ""),
     ROW(zs_shade_mipmap_smooth, "mipmaps", PLAIN, "a vertex: bilinear", "1 px a texel: mipmap", "texture_lit",
         "texture"),
     ROW(zs_shade_mipmap_bilinear, "mipmaps", PLAIN, "a vertex: bilinear", "1 px a texel: mipmap_bilinear", "", ""),
-    ROW(zs_shade_mipmap_bilinear_flat, "mipmaps", PLAIN, "a vertex: bilinear", "1 px a texel: mipmap_bilinear", "", ""),
+    FLAT(zs_shade_mipmap_bilinear_flat, "mipmaps", PLAIN, "a vertex: bilinear", "1 px a texel: mipmap_bilinear", "",
+         ""),
     ROW(zs_shade_mipmap_bilinear_smooth, "mipmaps", PLAIN, "a vertex: bilinear", "1 px a texel: mipmap_bilinear",
         "texture_lit", "texture"),
     ROW(zs_shade_cutout, "cut-outs", PLAIN, "a vertex: texture", "cutout, 4444", "", ""),
-    ROW(zs_shade_cutout_flat, "cut-outs", PLAIN, "a vertex: texture", "cutout, 4444", "", ""),
+    FLAT(zs_shade_cutout_flat, "cut-outs", PLAIN, "a vertex: texture", "cutout, 4444", "", ""),
     ROW(zs_shade_cutout_smooth, "cut-outs", PLAIN, "a vertex: texture", "cutout, 4444", "texture_lit", "texture"),
     ROW(zs_shade_matcap, "an environment", PLAIN, "a vertex: matcap", "matcap", "", ""),
     ROW(zs_shade_smooth_ordered, "dithering", PLAIN, "a vertex: smooth", "smooth_ordered", "", ""),
     ROW(zs_shade_smooth_blue, "dithering", PLAIN, "a vertex: smooth", "smooth_ordered", "", ""),
-    ROW(zs_shade_shadowed_flat, "a shadow map", SHADOWED, "a vertex: shadowed_smooth", "shadowed_flat", "", ""),
+    FLAT(zs_shade_shadowed_flat, "a shadow map", SHADOWED, "a vertex: shadowed_smooth", "shadowed_flat", "", ""),
     ROW(zs_shade_shadowed_smooth, "a shadow map", SHADOWED, "a vertex: shadowed_smooth", "shadowed_smooth", "", ""),
-    ROW(zs_shade_shadow, "flat shadows", PLAIN, NULL, "blend", "", ""),
+    ROW(zs_shade_shadowed_lit, "a lamp's shadow map", SHADOWED_LIT, "a vertex: shadowed_smooth", "shadowed_lit", "",
+        ""),
+    ROW(zs_shade_shadowed_texture, "a lamp's shadow map on a texture", SHADOWED_LIT, "a vertex: shadowed_smooth",
+        "shadowed_texture, soft", "", ""),
+    ROW(zs_shade_shadow, "flat shadows", PLAIN, NULL, "blend", "raw", ""),
     ROW(zs_shade_window, "a mirror", PLAIN, NULL, NULL),
 };
 
@@ -92,6 +101,8 @@ size_t sim_shader_material_bytes(enum sim_shader_material material)
         return sizeof(struct zs_lit_material);
     case SIM_MATERIAL_SHADOWED:
         return sizeof(struct zs_shadowed_material);
+    case SIM_MATERIAL_SHADOWED_LIT:
+        return sizeof(struct zs_shadowed_lit);
     default:
         return sizeof(struct zs_material);
     }

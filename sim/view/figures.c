@@ -54,7 +54,7 @@ void view_figures_count(struct view_figures *f, const struct view_shot *shot)
     sim_quiet--;
     if (status == SIM_OK) {
         f->known = 1;
-        f->plain = of_model && (sim_effects_any(&shot->o.effects) || shot->o.style != SIM_STYLE_SOLID);
+        f->plain = of_model && shot->o.style != SIM_STYLE_SOLID;
         f->ram = b->ram;
     }
     for (int i = 0; status == SIM_OK && i < BUDGET_USUAL_PARTS; i++) {

@@ -22,7 +22,7 @@ static int draw(struct sim_rendered *out, const struct sim_options *o)
                              : web_model_draw(out, NULL, &web.model, o);
 }
 
-/* The pools that a frame takes, which is all that is known of effects. */
+/* The pools that a frame takes, which is all that is known of a showpiece. */
 static int count_frame(struct budget *b, const struct budget_request *rq)
 {
     struct sim_rendered drawn;
@@ -40,11 +40,11 @@ static int count_frame(struct budget *b, const struct budget_request *rq)
     return SIM_OK;
 }
 
-static int count(struct budget *b, struct budget_request *rq, int effects)
+static int count(struct budget *b, struct budget_request *rq, int piece)
 {
     memset(b, 0, sizeof *b);
     b->method = &sim_methods[rq->o.method];
-    const int status = effects             ? count_frame(b, rq)
+    const int status = piece               ? count_frame(b, rq)
                        : web.scene != NULL ? budget_scene(b, rq)
                                            : budget_model(b, rq, &web.model);
     if (status != SIM_OK)
@@ -89,12 +89,14 @@ static void put_pools(FILE *f, const struct budget *b)
 }
 
 static void put_part(FILE *f, const struct budget_request *rq, const struct budget *b,
-                     const struct budget_part *p, int effects)
+                     const struct budget_part *p, int piece)
 {
+    const struct sim_counted *n = &b->counted;
+    const int effects = piece || (web.scene == NULL && sim_effects_any(&rq->o.effects));
     const double wire = budget_wire_ms(rq, b, p);
     struct budget_totals t;
     budget_totals(&t, rq, b, p->core, p->mhz, wire);
-    t.draw_ms = effects ? (double)NAN : t.draw_ms;
+    t.draw_ms = piece ? (double)NAN : t.draw_ms;
     t.flash = effects ? (double)NAN : t.flash;
     (void)fprintf(f, "{\"name\":\"%s\",\"core\":\"%s\",\"text\":", p->name,
                   sim_core_names[p->core]);
@@ -111,10 +113,12 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     (void)fprintf(f, ",\"limit\":\"%s\",\"ramFits\":%s,\"flashFits\":%s",
                   wire > t.draw_ms ? "wire" : "drawing", t.ram <= p->ram ? "true" : "false",
                   t.flash > p->flash ? "false" : "true");
-    if (isnan(t.draw_ms))
+    if (isnan(t.draw_ms) && n->unknown != NULL)
+        (void)fprintf(f, ",\"why\":\"Not known: what %s takes was not measured.\"", n->unknown);
+    else if (isnan(t.draw_ms))
         (void)fprintf(f, ",\"why\":\"%s\"",
-                      effects
-                          ? "Effects have no estimate of time and flash yet."
+                      piece
+                          ? "Not known: this scene has passes and shaders of its own; make pico measures it."
                           : "Of numbers alone there is no estimate for this method.");
     (void)fputs("}", f);
 }
@@ -141,9 +145,8 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
             return NULL;
         rq.o.spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
     }
-    const int effects = web.scene != NULL ? sim_demo_piece(web.scene) != NULL
-                                          : sim_effects_any(&rq.o.effects);
-    if (web.name == NULL || count(&b, &rq, effects) != SIM_OK)
+    const int piece = web.scene != NULL && sim_demo_piece(web.scene) != NULL;
+    if (web.name == NULL || count(&b, &rq, piece) != SIM_OK)
         return NULL;
     FILE *f = answer_begin();
     (void)fputs("{", f);
@@ -151,7 +154,7 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
     (void)fputs(",\"parts\":[", f);
     for (uint32_t i = 0; i < n_budget_parts; i++) {
         (void)fputs(i > 0 ? "," : "", f);
-        put_part(f, &rq, &b, &budget_parts[i], effects);
+        put_part(f, &rq, &b, &budget_parts[i], piece);
     }
     (void)fputs("]}", f);
     return answer_end();

@@ -79,6 +79,12 @@ costs-record: lab $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/costs.sh $(B) record
 	+@$(MAKE_ALL) $(B)/zsim
 
+## effects-error: how far estimates of frames with effects are from what these take in the emulated Pico; minutes
+effects-error: web
+	@NODE_PATH=$(B)/pico/node_modules esbuild sim/web/pico/board.js --bundle --format=esm --log-level=error \
+	    --outfile=$(B)/web/board.mjs
+	@node tests/lab/effects/error.mjs $(B) $(B)/web/board.mjs
+
 ## still: instructions of a still scene and of one moving thing with zs_damage_track, on Cortex-M3
 still: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/still.sh $(B)
@@ -131,6 +137,7 @@ accuracy: lab
 records-age:
 	@sh tests/records/age.sh
 
+.PHONY: effects-error
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record strangers \
         accelerators accelerators-record \
         stopwatch scale costs costs-record still cull methods methods-record methods-worlds methods-worlds-record \

@@ -324,6 +324,27 @@ test('web_engine_budget', (is) => {
     is('effects', [ engine.parts()[0].fps, engine.ram().total > 10000 ], [ null, true ]);
 });
 
+// Each option of an effect has a time of its own, and the error of effects.
+test('web_engine_effects', (is) => {
+    const {model} = ring(24, 12, {normals: true});
+    const pico = () => engine.parts().find((one) => one.name === 'rp2040');
+    configure({panel: 'st7789:240x240', strip: 24, shade: 'smooth'});
+    engine.setModel(model);
+    const plain = pico();
+    const dear = {fog: 'linear:1:4:808080', light: 'point:2,2,2', specular: '20:0.5', perPixel: true, shadow: 'map',
+        samples: 4, alpha: 0.5, dither: 'ordered'};
+    for (const [option, value] of Object.entries(dear)) {
+        is(`${option}: taken`, engine.configure({[option]: value}).error, '');
+        const part = pico();
+        is(`${option}: dearer, by a known time`, part.drawMs > plain.drawMs, true);
+        is(`${option}: its error`, part.fpsError > plain.fpsError || option === 'specular' || option === 'alpha', true);
+        engine.configure({[option]: undefined});
+    }
+    is('without again', pico().drawMs, plain.drawMs);
+    engine.configure({mirror: true});
+    is('a mirror', [ pico().fps, pico().why ], [ null, 'Not known: what a mirror takes was not measured.' ]);
+});
+
 test('web_engine_files', (is) => {
     const {text, model} = ring(12, 8, {normals: true});
     writeFileSync(`${work}/ring.obj`, text);

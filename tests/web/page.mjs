@@ -242,6 +242,22 @@ await test('web_glb', () => compare('ring.glb'));
 await test('web_mirrored', () => compare('mirrored.glb'));
 await test('web_sparse', () => compare('sparse.glb'));
 
+/* What fog takes: frames a second are fewer, and their error is that of effects. */
+await test('web_effects_cost', async () => {
+    await take(p, 'held.obj', 'held.mtl');
+    const part = await p.value('document.getElementById("part").value');
+    await change(p, 'part', 'rp2040');
+    const fps = async () => [Number(await p.value(text('fps'))), await p.value(text('fps-note'))];
+    const [plain] = await fps();
+    await change(p, 'set-fog', 'linear:1:4:808080');
+    const [fog, note] = await fps();
+    must(fog > 0 && fog < plain, `${plain} frames a second, with fog ${fog}`);
+    must(/give or take 30 %/.test(note), note);
+    await change(p, 'set-fog', '');
+    same((await fps())[0], plain, 'frames a second without fog');
+    await change(p, 'part', part);
+});
+
 await test('web_files', async () => {
     const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
         URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };
@@ -301,6 +317,7 @@ await test('web_pico', async () => {
         same(differ, 0, `pixels of ${names[0]}, in the worst of ${frame} frames, that differ from the page's`);
         const says = await p.value(text('pico-say'));
         must(/Every pixel is the page.s/.test(says) && /first frame was estimated/.test(says), says);
+        must(Number(/estimated (\d+) %/.exec(says)[1]) <= 15, says); /* glass.obj has effects */
         same(await refusedBy('pico-run'), '', 'why it does not stop');
         same(await p.value('document.getElementById("pico-run").getAttribute("aria-pressed")'), 'false', 'it runs');
         cycles.push(taken);
