@@ -72,6 +72,8 @@ SIM_NOTE := $(call note,$(B)/sim/cc,$(SIM_CC))
 $(B)/sim/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(SIM_CC) $(WERROR) $(DEP) -c $< -o $@
+# Demo scenes are seen from other sides (sim/frame/demo_frame.c), those with effects by this hook
+$(foreach at,sim test fuzz/clang,$(B)/$(at)/firmware/scenes/pieces/%.o): INC += -DSTAGE_ORBIT=1
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(SIM)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'

@@ -46,8 +46,9 @@ static inline void stage_unturned(struct zs_camera *camera)
         camera->pos[i] = 0;
 }
 
-/* A program that shows scenes from other sides defines STAGE_ORBIT and this function: where a piece's camera has been
- * placed, before all that depends on it, it is turned about a point so many units in front of it; 0: on the spot. */
+/* A program that shows scenes from other sides (sim/frame/demo_frame.c) defines STAGE_ORBIT and this function: where a
+ * piece's camera has been placed, before all that depends on it, it is turned about a point so many units in front of
+ * it; 0: on the spot. */
 #ifdef STAGE_ORBIT
 void stage_orbit(struct zs_camera *camera, int32_t distance);
 #else

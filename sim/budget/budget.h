@@ -8,6 +8,7 @@
 #define SIM_BUDGET_H
 
 #include "costs.h"
+#include "demo_frame.h"
 #include "method_names.h"
 #include "render_options.h"
 
@@ -15,7 +16,8 @@ struct budget_request {
     /* panel, size, strip, buffers, pools, shading, depth, model and view: as of zsim render */
     struct sim_options o;
     const char *scene, *part, *fit, *check, *elf, *error; /* NULL: not given */
-    long frame;                /* of a demo scene */
+    long frame;                /* of a demo scene, ... */
+    struct sim_orbit orbit;    /* ... seen from there */
     long instances, watch, track;
     long scene_tris, scene_verts;
     double coverage, complexity; /* percent of the picture; triangles at a covered pixel */

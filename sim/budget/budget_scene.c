@@ -36,6 +36,7 @@ void budget_defaults(struct budget_request *rq)
     rq->coverage = 50.0;
     rq->complexity = 1.5;
     rq->instances = 1;
+    rq->orbit = (struct sim_orbit)SIM_ORBIT_HOME;
     rq->core = SIM_CORE_M3;
     rq->bar = 15.0;
     rq->ram = 16384;
@@ -184,7 +185,7 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
     const uint16_t w = own ? d->width : (uint16_t)rq->o.size[0], h = own ? d->height : (uint16_t)rq->o.size[1];
     struct demo_frame *f = sim_alloc(1, sizeof *f);
     set_config(b, rq, w, h, (uint8_t)d->varyings, d->depth);
-    d->pose(f, (uint32_t)rq->frame, w, h);
+    sim_demo_pose(f, d, (uint32_t)rq->frame, w, h, &rq->orbit);
     const int status = count_scene(b, rq, d->name, &f->scene, &f->camera);
     free(f);
     return status;

@@ -37,6 +37,13 @@ static void configure(struct zs_config *config, const struct demo *demo, const s
     sim_demo_method(config, demo, rq->method);
 }
 
+static void pose(struct demo_frame *f, const struct demo *demo, uint32_t t, const struct zs_config *config,
+                 const struct sim_demo_request *rq)
+{
+    const struct sim_orbit orbit = sim_demo_orbit(rq);
+    sim_demo_pose(f, demo, t, config->width, config->height, &orbit);
+}
+
 /* Pools for one pass and nothing more, as a firmware author would size them: from a first drawing of all frames with
  * pools as large as can be. */
 static int fit_pools(struct zs_config *config, const struct demo *demo, const struct sim_demo_request *rq)
@@ -45,7 +52,7 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
     for (uint32_t k = 0; k < sim_demo_frames(rq, demo); k++) {
         struct demo_frame f = { 0 };
         struct sim_frame frame;
-        demo->pose(&f, sim_demo_frame_number(rq, k), config->width, config->height);
+        pose(&f, demo, sim_demo_frame_number(rq, k), config, rq);
         const int err = sim_demo_render(&frame, demo, &f, config, NULL, NULL);
         if (err)
             return sim_refuse(demo->name, 0, "%s", zs_error_string(err));
@@ -124,7 +131,7 @@ static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_confi
     struct demo_frame f = { 0 };
     struct sim_frame frame;
     struct sim_picture seen = { 0 };
-    demo->pose(&f, t, config->width, config->height);
+    pose(&f, demo, t, config, rq);
     int err = draw(&frame, &seen, panel, &f, config, rq, demo);
     if (!err && sum->frames == 0)
         sum->stats = frame.stats;
@@ -232,7 +239,7 @@ int sim_demo_seen(struct sim_rendered *seen, uint32_t *n_frames, int argc, char 
     struct sim_panel_frame panel = { 0 };
     struct demo_frame f = { 0 };
     configure(config, demo, &rq);
-    demo->pose(&f, sim_demo_frame_number(&rq, 0), config->width, config->height);
+    pose(&f, demo, sim_demo_frame_number(&rq, 0), config, &rq);
     err = fit_pools(config, demo, &rq);
     if (!err && rq.panel.name != NULL)
         err = sim_panel_begin(&panel, &rq.panel, demo->name, config->strip_h);

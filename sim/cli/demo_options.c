@@ -37,6 +37,9 @@ static const struct sim_option table[] = {
       .help = "px (what each scene was composed for)" },
     { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, .value = "ROWS", .help = "rows to a strip (24)" },
     { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8", .help = "sub-pixel bits (8)" },
+    { "--orbit", SIM_OPTION_VECTOR, AT(orbit), AT(has_orbit), .value = "YAW,RISE,DISTANCE",
+      .help = "the camera elsewhere: degrees around the middle of the scene and upwards, and a factor of the distance "
+              "(0,0,1)" },
     { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, .value = "T",
       .help = "the first frame of the animation to be drawn (0)" },
     { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX,
@@ -87,6 +90,14 @@ uint32_t sim_demo_frames(const struct sim_demo_request *rq, const struct demo *d
 uint32_t sim_demo_frame_number(const struct sim_demo_request *rq, uint32_t k)
 {
     return (uint32_t)rq->start + k * (uint32_t)rq->step;
+}
+
+struct sim_orbit sim_demo_orbit(const struct sim_demo_request *rq)
+{
+    const double radians = 0.01745329251994329577;
+    if (!rq->has_orbit)
+        return (struct sim_orbit)SIM_ORBIT_HOME;
+    return (struct sim_orbit){ radians * rq->orbit[0], radians * rq->orbit[1], rq->orbit[2] };
 }
 
 static int is_name(const struct demo *demo, const char *text, size_t length)
@@ -178,6 +189,9 @@ int sim_demo_parse(struct sim_demo_request *rq, int argc, char **argv)
         status = sim_panel_take(&rq->panel, NULL, rq->has_size, rq->size, rq->strip, &glass);
     if (status == SIM_OK && rq->show != SIM_SHOW_FRAME && rq->panel.name != NULL)
         return sim_usage("--show does not go through a panel: leave --panel out");
+    if (status == SIM_OK && rq->has_orbit && (rq->orbit[2] < SIM_ORBIT_LEAST || rq->orbit[2] > SIM_ORBIT_MOST))
+        return sim_usage("--orbit %g,%g,%g: a distance is %g to %g times the scene's own", rq->orbit[0], rq->orbit[1],
+                         rq->orbit[2], SIM_ORBIT_LEAST, SIM_ORBIT_MOST);
     if (status == SIM_OK && rq->method && rq->show != SIM_SHOW_FRAME && rq->show != SIM_SHOW_OVERDRAW)
         return sim_usage("--method %s: of --show there is overdraw", sim_methods[rq->method].name);
     rq->has_size |= rq->panel.name != NULL;

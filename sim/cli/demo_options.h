@@ -16,6 +16,7 @@
 struct sim_demo_request {
     const char *out, *scenes;           /* folder; names with commas between, or NULL for all */
     long size[2], strip, subpixel;      /* size: a panel's picture's; without has_size, the scene's own */
+    double orbit[3];                    /* degrees to the right, degrees up, distance; without has_orbit, none */
     long start, step, frames;           /* frames start, start + step ...; at most so many of each scene, 0: all */
     const char *fast_names;             /* NULL: all */
     const char *moving;                 /* NULL: no moving picture */
@@ -24,7 +25,7 @@ struct sim_demo_request {
     enum sim_show show;
     int method;                         /* of sim_methods */
     struct sim_panel_wish panel;
-    int has_size, raw, help;            /* flags */
+    int has_size, has_orbit, raw, help; /* flags */
 };
 
 struct sim_demo_size {
@@ -35,6 +36,9 @@ extern const struct sim_demo_request sim_demo_usual;
 
 /* Fill in what the arguments after "demo" say; after --help nothing is looked at. Return enum sim_status, said why. */
 int sim_demo_parse(struct sim_demo_request *rq, int argc, char **argv);
+
+/* Where the camera stands, beside where it would. */
+struct sim_orbit sim_demo_orbit(const struct sim_demo_request *rq);
 
 /* Print --help. */
 void sim_demo_help(void);

@@ -13,13 +13,6 @@
 
 #define COORD_MAX 1e30 /* keeps products of three lengths inside a double */
 
-static int take_vector(const char *text, double v[3])
-{
-    const char *end;
-    return sim_value_double(text, ',', &end, &v[0]) && sim_value_double(end + 1, ',', &end, &v[1]) &&
-           sim_value_double(end + 1, '\0', &end, &v[2]);
-}
-
 static int take_count(const char *text, const char *words, long *count)
 {
     const char *end;
@@ -55,7 +48,7 @@ static int take_value(const struct sim_option *opt, const char *text, void *to)
     case SIM_OPTION_NUMBER:
         return sim_value_double(text, '\0', &end, to);
     case SIM_OPTION_VECTOR:
-        return take_vector(text, to);
+        return sim_value_vector(text, to);
     case SIM_OPTION_RGB:
         return sim_value_rgb(text, to);
     case SIM_OPTION_CHOICE:

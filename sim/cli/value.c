@@ -54,6 +54,13 @@ int sim_value_choice(const char *text, const char *words)
     return -1;
 }
 
+int sim_value_vector(const char *text, double v[3])
+{
+    const char *end;
+    return sim_value_double(text, ',', &end, &v[0]) && sim_value_double(end + 1, ',', &end, &v[1]) &&
+           sim_value_double(end + 1, '\0', &end, &v[2]);
+}
+
 int sim_value_size(const char *text, long size[2])
 {
     const char *end;

@@ -11,6 +11,8 @@
 int sim_value_long(const char *text, const char **end, long *out);
 /* One decimal number up to `stop`, where *end is; may come out infinite or NaN. */
 int sim_value_double(const char *text, char stop, const char **end, double *out);
+/* Three of them, with commas between. */
+int sim_value_vector(const char *text, double v[3]);
 /* WIDTHxHEIGHT, any whole numbers. */
 int sim_value_size(const char *text, long size[2]);
 /* RRGGBB, with or without # before it. */

@@ -22,6 +22,19 @@ int sim_demo_is_own(const struct demo *demo);
 /* The piece that a scene is; NULL: a scene without effects. */
 const struct piece *sim_demo_piece(const struct demo *demo);
 
+/* Where a camera stands, beside where it would: angles in radians about the middle of what is there, up by pitch, and
+ * its distance as a factor. */
+struct sim_orbit {
+    double yaw, pitch, distance;
+};
+#define SIM_ORBIT_HOME { 0.0, 0.0, 1.0 }
+#define SIM_ORBIT_LEAST 0.1 /* distances that zsim takes */
+#define SIM_ORBIT_MOST 8.0
+
+/* Fill *f as demo->pose does, and move its camera: of a piece before what depends on it, as mirrors do. */
+void sim_demo_pose(struct demo_frame *f, const struct demo *demo, uint32_t t, uint16_t w, uint16_t h,
+                   const struct sim_orbit *by);
+
 /* The method of that number, of sim_methods, or the one that a piece needs. */
 void sim_demo_method(struct zs_config *config, const struct demo *demo, int method);
 

@@ -147,16 +147,18 @@ static void keys(struct view_canvas *c, int of_model)
         { "h, F1", "these keys" },
         { "q, Escape", "end" },
     };
-    static const char *const of_scene[][2] = { { "drag, arrows", "other frames of the animation" },
-                                               { "space", "play it, or stand still" } };
+    static const char *const of_scene[][2] = { { "drag", "turn it" },
+                                               { "wheel, + -", "nearer, farther" },
+                                               { "left, right", "another frame; with Shift turn it" },
+                                               { "space", "play it, or stand still" },
+                                               { "0", "its own camera" } };
+    const int n_scene = sizeof of_scene / sizeof of_scene[0];
     const int n = sizeof rows / sizeof rows[0], w = 50 * VIEW_CELL_W, h = (n + 2) * VIEW_PITCH;
     int y = VIEW_MARGIN;
     view_canvas_fill(c, VIEW_MARGIN, y, w, h, VIEW_SIDE);
     y += VIEW_PITCH;
-    for (int i = of_model ? 0 : 2; i < n; i++, y += VIEW_PITCH) {
-        const char *const *text = !of_model && i < 4 ? of_scene[i - 2] : rows[i];
-        if (!of_model && strcmp(text[0], "0") == 0)
-            continue;
+    for (int i = 0; i < n; i++, y += VIEW_PITCH) {
+        const char *const *text = !of_model && i < n_scene ? of_scene[i] : rows[i];
         view_canvas_text(c, 2 * VIEW_MARGIN, y, VIEW_ACCENT, 0, 12, text[0]);
         view_canvas_text(c, 2 * VIEW_MARGIN + 12 * VIEW_CELL_W, y, VIEW_INK, 0, 36, text[1]);
     }

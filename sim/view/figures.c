@@ -19,6 +19,7 @@ static void of_scene(struct budget_request *rq, const struct view_shot *shot)
     const char *size = view_words_get(&shot->words, "--size");
     rq->scene = view_words_get(&shot->words, "--scene");
     rq->frame = start != NULL ? atol(start) : 0;
+    rq->orbit = view_scene_orbit(&shot->words);
     rq->o.strip = strip != NULL ? atol(strip) : 24;
     for (int k = 0; method != NULL && k < (int)SIM_METHODS; k++)
         if (strcmp(sim_methods[k].name, method) == 0)

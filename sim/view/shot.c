@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "demo.h"
+#include "value.h"
 #include "scene_parts.h"
 #include "sim.h"
 #include "vec.h"
@@ -158,6 +159,35 @@ void view_shot_orbit(const struct view_shot *shot, struct view_words *words, dou
     sim_view_orbit(eye, v, shot->o.up, turn * RADIANS, rise * RADIANS, factor);
     sim_sub(off, eye, v->at);
     set_place(words, "--eye", eye, sqrt(sim_dot(off, off)));
+}
+
+/* Degrees, degrees, a factor. */
+static void orbit_of(double at[3], const struct view_words *words)
+{
+    const char *now = view_words_get(words, "--orbit");
+    at[0] = at[1] = 0.0;
+    at[2] = 1.0;
+    if (now != NULL)
+        (void)sim_value_vector(now, at);
+}
+
+struct sim_orbit view_scene_orbit(const struct view_words *words)
+{
+    double at[3];
+    orbit_of(at, words);
+    return (struct sim_orbit){ at[0] * RADIANS, at[1] * RADIANS, at[2] };
+}
+
+void view_scene_turn(struct view_words *words, double turn, double rise, double factor)
+{
+    double at[3];
+    char text[96];
+    orbit_of(at, words);
+    at[0] = remainder(at[0] + turn, 360.0) + 0.0; /* no -0 */
+    at[1] = fmax(-180.0, fmin(180.0, at[1] + rise)) + 0.0;
+    at[2] = fmax(SIM_ORBIT_LEAST, fmin(SIM_ORBIT_MOST, at[2] * factor));
+    (void)snprintf(text, sizeof text, "%.5g,%.5g,%.4g", at[0], at[1], at[2]);
+    view_words_set(words, "--orbit", strcmp(text, "0,0,1") == 0 ? NULL : text);
 }
 
 void view_shot_pan(const struct view_shot *shot, struct view_words *words, double dx, double dy)

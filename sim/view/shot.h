@@ -5,6 +5,7 @@
 #ifndef SIM_VIEW_SHOT_H
 #define SIM_VIEW_SHOT_H
 
+#include "demo_frame.h"
 #include "render.h"
 #include "words.h"
 
@@ -30,6 +31,9 @@ void view_shot_free(struct view_shot *shot);
 /* Move the eye of a model's words from where it is in the shot: about the upright axis and up by degrees, from or to
  * what it looks at by a factor. */
 void view_shot_orbit(const struct view_shot *shot, struct view_words *words, double turn, double rise, double factor);
+/* Of a scene's words, beside where its camera stands: move it likewise; where it is. */
+void view_scene_turn(struct view_words *words, double turn, double rise, double factor);
+struct sim_orbit view_scene_orbit(const struct view_words *words);
 /* Move what it looks at, and the eye with it, by pixels of the picture. */
 void view_shot_pan(const struct view_shot *shot, struct view_words *words, double dx, double dy);
 

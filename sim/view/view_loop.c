@@ -215,29 +215,19 @@ static void step_frame(struct view *v, double by)
     v->redraw = 1;
 }
 
-/* Turn a model, or go through an animation. */
-static void turn(struct view *v, double degrees, double rise)
+static void turn(struct view *v, double degrees, double rise, double factor)
 {
-    if (of_model(v)) {
-        view_shot_orbit(&v->shot, &v->wish, degrees, rise, 1.0);
-        v->redraw = 1;
-    } else {
-        step_frame(v, degrees / DEGREES_KEY);
-    }
-}
-
-static void zoom(struct view *v, double factor)
-{
-    if (!of_model(v))
-        return;
-    view_shot_orbit(&v->shot, &v->wish, 0.0, 0.0, factor);
+    if (of_model(v))
+        view_shot_orbit(&v->shot, &v->wish, degrees, rise, factor);
+    else
+        view_scene_turn(&v->wish, degrees, rise, factor);
     v->redraw = 1;
 }
 
 static void home(struct view *v)
 {
-    static const char *const place[] = { "--eye", "--at" };
-    for (int i = 0; i < 2; i++)
+    static const char *const place[] = { "--eye", "--at", "--orbit" };
+    for (int i = 0; i < 3; i++)
         view_words_set(&v->wish, place[i], NULL);
     v->redraw = 1;
 }
@@ -271,7 +261,7 @@ static void press(struct view *v, const struct view_event *e)
         break;
     case '+':
     case '-':
-        zoom(v, e->key == '+' ? ZOOM : 1.0 / ZOOM);
+        turn(v, 0.0, 0.0, e->key == '+' ? ZOOM : 1.0 / ZOOM);
         break;
     case '0':
         home(v);
@@ -286,11 +276,14 @@ static void press(struct view *v, const struct view_event *e)
         break;
     case VIEW_KEY_LEFT:
     case VIEW_KEY_RIGHT:
-        turn(v, e->key == VIEW_KEY_LEFT ? -DEGREES_KEY : DEGREES_KEY, 0.0);
+        if (of_model(v) || e->shift)
+            turn(v, e->key == VIEW_KEY_LEFT ? -DEGREES_KEY : DEGREES_KEY, 0.0, 1.0);
+        else
+            step_frame(v, e->key == VIEW_KEY_LEFT ? -1.0 : 1.0);
         break;
     case VIEW_KEY_UP:
     case VIEW_KEY_DOWN:
-        turn(v, 0.0, e->key == VIEW_KEY_DOWN ? -DEGREES_KEY : DEGREES_KEY);
+        turn(v, 0.0, e->key == VIEW_KEY_DOWN ? -DEGREES_KEY : DEGREES_KEY, 1.0);
         break;
     default:
         set(v, e);
@@ -302,7 +295,7 @@ static void drag(struct view *v, const struct view_event *e)
 {
     int w, h, pitch;
     if (!e->shift || !of_model(v)) {
-        turn(v, -DEGREES_PX * e->dx, DEGREES_PX * e->dy);
+        turn(v, -DEGREES_PX * e->dx, DEGREES_PX * e->dy, 1.0);
     } else if (view_window_pixels(v->window, &w, &h, &pitch) != NULL) {
         const double scale = view_desk_scale(&v->shot.seen.shown, w, h);
         view_shot_pan(&v->shot, &v->wish, e->dx / scale, e->dy / scale);
@@ -327,7 +320,7 @@ static void handle(struct view *v, const struct view_event *e)
         break;
     case VIEW_EVENT_WHEEL:
         for (int i = 0; i < abs(e->dy); i++)
-            zoom(v, e->dy > 0 ? ZOOM : 1.0 / ZOOM);
+            turn(v, 0.0, 0.0, e->dy > 0 ? ZOOM : 1.0 / ZOOM);
         break;
     case VIEW_EVENT_NONE:
         break;
@@ -357,7 +350,7 @@ static void run(struct view *v)
         v->now = clock_s();
         handle(v, &event);
         if (v->turning && of_model(v))
-            turn(v, DEGREES_S * (v->now - before), 0.0);
+            turn(v, DEGREES_S * (v->now - before), 0.0, 1.0);
         else if (v->turning)
             step_frame(v, FRAMES_S * (v->now - before));
         look_at_files(v);

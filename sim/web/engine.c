@@ -14,7 +14,7 @@
 #include "sim.h"
 #include "stats.h"
 
-struct web web = { .orbit = { 0.0, 0.0, 1.0 } };
+struct web web = { .orbit = SIM_ORBIT_HOME };
 
 /* ---- Memory that the caller fills --------------------------------------------------------------- */
 
@@ -133,7 +133,10 @@ void web_choose(const struct demo *scene, const char *name, const struct sim_mod
 WEB_EXPORT(render) int web_render(void)
 {
     struct sim_rendered drawn;
-    const int status = draw(&drawn, &web.kept, &web.model, &web.chosen);
+    struct sim_options o = web.chosen;
+    if (!web_has_levels(&o) && o.panel.turns == 0)
+        o.panel.name = NULL; /* its glass shows the frame as it is: web_configure has seen that its driver takes it */
+    const int status = draw(&drawn, &web.kept, &web.model, &o);
     if (status == SIM_OK) {
         sim_render_free(&web.drawn);
         web.drawn = drawn;
@@ -191,7 +194,7 @@ WEB_EXPORT(configure) int web_configure(const char *given, size_t bytes, int n)
 
 WEB_EXPORT(orbit) void web_orbit_set(double yaw, double pitch, double distance)
 {
-    web.orbit = (struct web_orbit){ yaw, pitch, distance };
+    web.orbit = (struct sim_orbit){ yaw, pitch, distance };
 }
 
 WEB_EXPORT(time) void web_time(uint32_t frame)

@@ -8,6 +8,7 @@
 #ifndef WEB_ENGINE_H
 #define WEB_ENGINE_H
 
+#include "demo_frame.h"
 #include "model.h"
 #include "render.h"
 #include "scenes.h"
@@ -15,15 +16,10 @@
 
 #define WEB_EXPORT(name) __attribute__((export_name(#name)))
 
-/* Where the camera stands, beside where it would: angles in radians, distance as a factor. */
-struct web_orbit {
-    double yaw, pitch, distance;
-};
-
 struct web {
     struct sim_options options; /* of zsim render; its texts lie in *words */
     char *words;                /* '\0'-terminated one by one */
-    struct web_orbit orbit;
+    struct sim_orbit orbit;
     const struct demo *scene; /* NULL: a model */
     const char *name;         /* of either; NULL: nothing was chosen */
     uint32_t time;            /* frame of a scene's animation */
@@ -41,9 +37,8 @@ void web_choose(const struct demo *scene, const char *name, const struct sim_mod
 
 /* A demo scene's frame. SIM_OK; SIM_REFUSED, said why. */
 int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o);
-/* The same scene from another side. The angles turn its camera about the middle of its instances; distance is a
- * factor. */
-void web_scene_orbit(struct demo_frame *at, const struct web_orbit *by);
+/* Does the glass of a panel show fewer levels than the frame has? */
+int web_has_levels(const struct sim_options *o);
 /* The configuration that options mean for a scene. */
 void web_scene_config(struct zs_config *config, const struct demo *scene,
                       const struct sim_options *o);

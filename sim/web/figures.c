@@ -137,6 +137,7 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
     if (web.scene != NULL) {
         rq.scene = web.scene->name;
         rq.frame = (long)(web.time % web.scene->frames);
+        rq.orbit = web.orbit;
     }
     if (panel[0] != '\0' && rq.o.panel.name == NULL) {
         struct pm_glass glass;

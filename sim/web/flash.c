@@ -384,7 +384,7 @@ static int put_show(struct image *im, uint32_t frames, uint32_t views)
 
 static int put_all(struct image *im, uint32_t frames, uint32_t arena, int *shrunk)
 {
-    const struct web_orbit stands = web.orbit;
+    const struct sim_orbit stands = web.orbit;
     int (*const seen)(int (*use)(void *ctx, const struct sim_drawn_scene *drawn), void *ctx) =
         web.scene != NULL ? web_scene_scene : web_model_scene;
     int status = seen(put_scene, im);

@@ -111,7 +111,7 @@ int web_model_load(struct sim_model *model, struct sim_options *o)
 }
 
 /* The eye of --eye or of a framed model, turned about the point that it looks at. */
-static int turn(struct sim_options *o, const struct sim_model *model, const struct web_orbit *by)
+static int turn(struct sim_options *o, const struct sim_model *model, const struct sim_orbit *by)
 {
     struct sim_view view;
     const int status = sim_view_plan(&view, o, model);
@@ -156,12 +156,12 @@ WEB_EXPORT(model_end) int web_model_end(int up_z, int single)
     struct sim_model model = { 0 };
     struct sim_options o = web.options;
     struct sim_rendered drawn;
-    struct web_orbit orbit = web.orbit;
+    struct sim_orbit orbit = web.orbit;
     coming.up_z = up_z;
     coming.single = single;
     kept = coming;
     memset(&coming, 0, sizeof coming);
-    web.orbit = (struct web_orbit){ 0.0, 0.0, 1.0 };
+    web.orbit = (struct sim_orbit)SIM_ORBIT_HOME;
     int status = has_images(&kept) ? web_model_load(&model, &o) : SIM_REFUSED;
     if (status == SIM_OK)
         status = web_model_draw(&drawn, NULL, &model, &o);

@@ -65,8 +65,7 @@ void web_scene_config(struct zs_config *config, const struct demo *scene,
     sim_demo_method(config, scene, o->method);
 }
 
-/* Does the glass of a panel show fewer levels than the frame has? */
-static int has_levels(const struct sim_options *o)
+int web_has_levels(const struct sim_options *o)
 {
     struct pm_glass glass;
     return o->panel.name != NULL && sim_panel_glass(&o->panel, NULL, &glass) == SIM_OK &&
@@ -96,15 +95,13 @@ static int compare(struct sim_rendered *out, const struct demo *scene, const str
 int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const struct sim_options *o)
 {
     const int piece = sim_demo_piece(scene) != NULL,
-              levels = o->show == SIM_SHOW_FRAME && !o->compare && has_levels(o);
+              levels = o->show == SIM_SHOW_FRAME && !o->compare && web_has_levels(o);
     static struct demo_frame at;
     struct sim_panel_frame panel = { 0 };
     const struct zs_sink sink = sim_panel_sink(&panel);
     memset(out, 0, sizeof *out);
     web_scene_config(&out->config, scene, o);
-    scene->pose(&at, web.time % scene->frames, out->config.width, out->config.height);
-    if (!piece)
-        web_scene_orbit(&at, &web.orbit);
+    sim_demo_pose(&at, scene, web.time % scene->frames, out->config.width, out->config.height, &web.orbit);
     int status = levels ? sim_panel_begin(&panel, &o->panel, scene->name, out->config.strip_h) : SIM_OK, err = ZS_OK;
     if (status == SIM_OK)
         err = sim_demo_render(&out->frame, scene, &at, &out->config, NULL, levels ? &sink : NULL);
@@ -132,7 +129,6 @@ int web_scene_scene(int (*use)(void *ctx, const struct sim_drawn_scene *drawn), 
     static struct demo_frame at;
     struct sim_drawn_scene drawn = { .scene = &at.scene, .camera = &at.camera, .samples = 1 };
     web_scene_config(&drawn.config, web.scene, &web.chosen);
-    web.scene->pose(&at, web.time % web.scene->frames, drawn.config.width, drawn.config.height);
-    web_scene_orbit(&at, &web.orbit);
+    sim_demo_pose(&at, web.scene, web.time % web.scene->frames, drawn.config.width, drawn.config.height, &web.orbit);
     return use(ctx, &drawn);
 }

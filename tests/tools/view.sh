@@ -358,8 +358,35 @@ written frames/cubes_001.png
 press BackSpace
 written frames/cubes_000.png
 is "command" "$line" "zsim demo --scene=cubes --size=80x60 --out=frames --start=0 --frames=1"
+# Its camera, too, goes around
+xdotool mousemove --window "$window" 200 200 mousedown 1 mousemove --window "$window" 240 190 mouseup 1
+written frames/cubes_000.png
+is "command" "$line" "zsim demo --scene=cubes --size=80x60 --out=frames --start=0 --frames=1 --orbit=-20,-5,1"
+cmp -s frames/cubes_000.png seen/cubes_000.png && wrong "a drag does not turn the scene"
+xdotool mousemove --window "$window" 200 200 click 4 click 4
+written frames/cubes_000.png
+is "command" "$line" "zsim demo --scene=cubes --size=80x60 --out=frames --start=0 --frames=1 --orbit=-20,-5,0.81"
+fps=$(sed -n 's/^# .*rp2040 //p' win_out | tail -n 1)
+[ "$fps" != "$(sed -n 's/^# .*rp2040 //p' win_out | head -n 1)" ] || wrong "from nearer it takes as long: $fps"
+press 0
+shown seen/cubes_000.png
 press q
 end
+# ... of one with effects before its mirror is drawn
+"$zsim" demo --scene stilllife --size 80x60 --orbit 30,0,1 --frames 1 --out seen >again.txt 2>&1 ||
+    wrong "$(cat again.txt)"
+open_ --scene stilllife --size=80x60 --out frames
+xdotool mousemove --window "$window" 200 200 mousedown 1 mousemove --window "$window" 140 200 mouseup 1
+shown seen/stilllife_000.png
+cp seen/stilllife_000.png turned.png
+"$zsim" demo --scene stilllife --size 80x60 --frames 1 --out seen >again.txt 2>&1 || wrong "$(cat again.txt)"
+cmp -s turned.png seen/stilllife_000.png && wrong "a drag does not turn a scene with effects"
+press 0
+shown seen/stilllife_000.png
+press q
+end
+z demo --scene cubes --orbit 0,0,9
+one_line 2 'a distance is 0.1 to 8 times'
 
 begin explains_an_empty_picture
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >away.obj

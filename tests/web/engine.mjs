@@ -176,7 +176,9 @@ const models = [
         'plain', {},
         [
             [], [ '--shade=smooth', '--samples=4' ], [ '--method=painter' ], [ '--tris=50', '--strip=5' ],
-            [ '--style=hidden-line' ], [ '--show=overdraw' ], [ '--simplify=200' ], [ '--panel=ssd1306:128x64' ]
+            [ '--style=hidden-line' ], [ '--show=overdraw' ], [ '--simplify=200' ], [ '--panel=ssd1306:128x64' ],
+            [ '--panel=gc9a01:240x240' ], [ '--panel=ssd1351:128x96', '--invert', '--bgr' ],
+            [ '--panel=ili9341:240x320', '--rotate=90' ]
         ]
     ],
     [
@@ -412,6 +414,15 @@ test('web_engine_orbit', (is) => {
     is('back', sum(engine.render().pixels), home);
     engine.orbit(0, 9, 1);
     is('over the top', engine.render().error, '');
+    engine.orbit(30 * Math.PI / 180, 10 * Math.PI / 180, 0.8);
+    for (const scene of [ 'teapot', 'stilllife' ]) { // with effects, whose mirror sees from elsewhere, too
+        engine.setScene(scene);
+        engine.render();
+        const words = [ '--scene', scene, '--frames', '1', '--out', `${work}/orbit` ];
+        is(`${scene}: drawn`, run('demo', ...words, '--orbit', '30,10,0.8').status, 0);
+        const want = readPng(readFileSync(`${work}/orbit/${scene}_000.png`)).rgb;
+        is(`${scene}: pixels that differ`, differ(picture().rgb, want), 0);
+    }
     engine.orbit(0, 0, 1);
 });
 

@@ -8,9 +8,9 @@ function redrawAll() {
     for (const redraw of redraws) redraw();
 }
 
-/* A canvas of that many CSS pixels, sharp on any screen. draw is called with its context. */
+/* A canvas of that many CSS pixels, sharp on any screen, twice as large too. draw is called with its context. */
 function plot(width, height, label, draw) {
-    const ratio = Math.max(1, Math.min(3, Math.ceil(window.devicePixelRatio || 1)));
+    const ratio = 2 * Math.max(1, Math.min(2, Math.ceil(window.devicePixelRatio || 1)));
     const canvas = make('canvas', { width: width * ratio, height: height * ratio, role: 'img', 'aria-label': label });
     const again = () => {
         const c = canvas.getContext('2d');
@@ -47,11 +47,12 @@ function drawState(c, s) {
         c.fillStyle = css('--paper');
         c.fillRect(right, y, CELL - 1, CELL - 1);
         if (s.depth || s.bits) {
-            c.globalAlpha = 0.85 * (1 - part) + 0.05;
+            const dark = 0.85 * (1 - part) + 0.05;
+            c.globalAlpha = dark;
             c.fillStyle = css('--ink');
             c.fillRect(right, y, CELL - 1, CELL - 1);
             c.globalAlpha = 1;
-            c.fillStyle = part < 0.55 ? css('--card') : css('--soft');
+            c.fillStyle = css(dark > 0.56 ? '--card' : part < 1 ? '--ink' : '--soft');
             c.fillText(String(value), right + CELL / 2 - 0.5, y + CELL / 2);
         }
         if (s.mark.has(i)) {
@@ -320,7 +321,6 @@ export function buildCards(at) {
                 'Two bytes a pixel, but only for one strip.',
             zbuffer,
         ),
-        mappingCard(),
         methodCard(
             'Painter’s algorithm',
             'Paint from far to near: no depth memory. It fails where things overlap in a cycle, as these do.',
@@ -348,6 +348,7 @@ export function buildCards(at) {
             'The loops the other way round: for each pixel, find the nearest surface.',
             raycast,
         ),
+        mappingCard(),
     );
     addEventListener('zstrip-theme', redrawAll);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redrawAll);

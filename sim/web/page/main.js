@@ -333,15 +333,25 @@ async function takeFiles(files) {
 
 const quoted = (word) => (/^[\w.,:=+/@-]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`);
 
+/* Options that zsim demo has, too. */
+const DEMO = /^--(panel|size|strip|subpixel|method|show|rotate|invert|bgr)\b/;
+
 function command() {
     const words = app.engine.commandLine ? app.engine.commandLine() : [];
     const bare = words.map((w) => w.replace(/^(--[\w-]+)=(.*)$/s, (_, name, value) => `${name} ${quoted(value)}`));
     const v = app.stage.view,
         turned = v.yaw !== HOME.yaw || v.pitch !== HOME.pitch || v.distance !== 1;
-    id('command').textContent = app.model
+    const step = app.scene ? app.time % app.engineScenes.find((s) => s.name === app.scene).frames : 0;
+    const text = app.model
         ? `build/zsim render ${quoted(app.model.name)} ${bare.join(' ')} --out frame.png` +
           (turned ? '   # from its own camera' : '')
-        : `build/zsim demo --scene ${app.scene} --frames ${app.time + 1} --out .`;
+        : `build/zsim demo --scene ${app.scene}${step ? ` --start ${step}` : ''} --frames 1` +
+          `${bare.filter((w) => DEMO.test(w)).map((w) => ` ${w}`).join('')}` +
+          `${turned ? ` --orbit=${v.yaw - HOME.yaw},${v.pitch - HOME.pitch},${v.distance}` : ''} --out .`;
+    /* options do not break at their hyphens */
+    id('command').replaceChildren(
+        ...text.split(/(--[\w-]+)/).map((part, i) => (i % 2 ? make('span', {}, part) : part)),
+    );
 }
 
 function keepLink() {

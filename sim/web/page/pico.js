@@ -61,6 +61,7 @@ export class Firmware {
         const model = engine.flash({ frames: FRAMES, arena: show.arena, flash: flashLeft(show) });
         if (!model.ok) throw new Error(model.error);
         const made = imageWith(show, model);
+        id('chip').hidden = false;
         id('pico-facts').replaceChildren(
             fact('flash', bytes(show.image.length + model.bytes.length)),
             fact('of it the model', bytes(model.bytes.length)),
@@ -91,6 +92,7 @@ export class Firmware {
         URL.revokeObjectURL(url);
         this.#worker = worker;
         this.#say(true);
+        id('chip').classList.add('runs');
         document.documentElement.dataset.picoFrame = '0';
         id('pico-say').textContent = 'The chip boots…';
         const from = { ...view };
@@ -132,7 +134,9 @@ export class Firmware {
             `Frame ${frame + 1}: ${(cycles / 125e3).toFixed(1)} ms of drawing at 125 MHz` +
                 (frame > 0 ? `, ${(1e9 / ns).toFixed(1)} frames a second with the wire. ` : '. '),
             make('b', {}, differ > 0 ? `${count(differ)} pixels differ.` : 'Every pixel is the page\u2019s.'),
-            off === null ? '' : ` The first frame was estimated ${Math.abs(off)} % too ${off < 0 ? 'short' : 'long'}.`,
+            off === null
+                ? ''
+                : ` The first frame was estimated ${off === 0 ? 'to the percent' : `${Math.abs(off)} % too ${off < 0 ? 'short' : 'long'}`}.`,
         );
     }
 

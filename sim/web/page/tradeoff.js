@@ -62,10 +62,11 @@ function plot(points, now, trail) {
             draw('line', { x1: BOX.left, x2: BOX.right, y1: y(tick), y2: y(tick), class: 'grid' }),
             draw('text', { x: BOX.left - 8, y: y(tick) + 4, 'text-anchor': 'end' }, tick.toLocaleString('en-US')),
         );
-    for (let i = 0; i <= 4; i++) {
-        const ms = least + ((most - least) * i) / 4;
-        svg.append(draw('text', { x: x(ms), y: BOX.bottom + 20, 'text-anchor': 'middle' }, ms.toFixed(1)));
-    }
+    const step = round((most - least) / 4);
+    for (let ms = Math.ceil(least / step) * step; ms <= most; ms += step)
+        svg.append(
+            draw('text', { x: x(ms), y: BOX.bottom + 20, 'text-anchor': 'middle' }, String(Number(ms.toPrecision(6)))),
+        );
     svg.append(
         draw('text', { x: BOX.right, y: H - 6, 'text-anchor': 'end' }, 'ms of drawing on the part'),
         draw('text', { x: BOX.left, y: H - 6 }, '↑ wrong pixels'),
@@ -81,6 +82,12 @@ function plot(points, now, trail) {
     if (now) svg.append(draw('circle', { cx: x(now.ms), cy: y(now.wrong), r: 10, class: 'now' },
         draw('title', {}, 'what is set')));
     return svg;
+}
+
+/* The next of 1, 2, 5, 10, 20 ... */
+function round(step) {
+    const ten = 10 ** Math.floor(Math.log10(step));
+    return ten * [1, 2, 5, 10].find((n) => n * ten >= step * (1 - 1e-9));
 }
 
 function table(points) {
