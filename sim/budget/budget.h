@@ -112,6 +112,10 @@ void budget_defaults(struct budget_request *rq);
 /* A model that is loaded, seen as rq->o says: the same as budget_scene. */
 int budget_model(struct budget *b, const struct budget_request *rq, const struct sim_model *model);
 
+/* Of a frame that has been drawn: its pools alone, as of scenes with effects, whose time is not known. */
+void budget_frame(struct budget *b, const struct budget_request *rq, const struct zs_config *config,
+                  const struct zs_stats *stats);
+
 /* The scene of a request: config (its pools where none were asked for), counts, data. SIM_OK; SIM_REFUSED. */
 int budget_scene(struct budget *b, const struct budget_request *rq);
 

@@ -388,6 +388,20 @@ static int of_numbers(struct budget *b, const struct budget_request *rq)
     return SIM_OK;
 }
 
+void budget_frame(struct budget *b, const struct budget_request *rq, const struct zs_config *config,
+                  const struct zs_stats *stats)
+{
+    memset(b, 0, sizeof *b);
+    b->method = &sim_methods[rq->o.method];
+    b->config = *config;
+    if (!rq->has_tris)
+        b->config.max_tris = (uint16_t)(stats->max_tris_used < 1 ? 1 : stats->max_tris_used);
+    if (!rq->has_verts)
+        b->config.max_verts = (uint16_t)(stats->max_verts_used < 3 ? 3 : stats->max_verts_used);
+    b->n_instances = stats->instances_in;
+    sim_effects_unknown(&b->counted, "a scene with passes of its own");
+}
+
 int budget_scene(struct budget *b, const struct budget_request *rq)
 {
     memset(b, 0, sizeof *b);

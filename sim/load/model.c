@@ -226,9 +226,14 @@ static int import(struct load *l)
         const char *why = aiGetErrorString();
         if (why != NULL && strstr(why, "bad_alloc") != NULL && sim_no_memory != NULL)
             return sim_refuse(NULL, 0, "%s", sim_no_memory);
+        const char *words = why != NULL ? sim_gltf_words(l->file, why) : NULL;
+        if (words != NULL)
+            return sim_refuse(l->file, 0, "%s", words);
         return sim_refuse(l->file, 0, "cannot be loaded: %s; the file may be damaged or cut off",
                           why != NULL && why[0] != '\0' ? why : "unknown format");
     }
+    if (l->complaint[0] != '\0' && sim_gltf_words(l->file, l->complaint) != NULL)
+        return sim_refuse(l->file, 0, "%s", sim_gltf_words(l->file, l->complaint));
     if (l->complaint[0] != '\0')
         return sim_refuse(l->file, 0, "is not sound: %s; export the model again", l->complaint);
     if (l->scene->mRootNode == NULL || l->scene->mNumMeshes == 0)
@@ -616,6 +621,8 @@ static int look_through(struct load *l)
         status = sim_ply_check(l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_STL)
         status = sim_stl_check(l->file, l->text, l->bytes);
+    if (status == SIM_OK && l->family == FAMILY_OTHER)
+        status = sim_gltf_check(l->file, l->text, l->bytes);
     if (l->family == FAMILY_OBJ) {
         free(l->text);
         l->text = NULL;

@@ -57,8 +57,12 @@ void sim_mtl_free(struct sim_mtl *mtl);
 /* The material of a name, the last one where there are several; NULL: none. */
 const struct sim_mtl_entry *sim_mtl_find(const struct sim_mtl *mtl, const char *name);
 
-/* Refuse a PLY or STL file that is cut off, or in which a face is wrong. Text as above. */
+/* Refuse a PLY or STL file that is cut off, or in which a face is wrong, or a .glb by its header. Text as above. */
+int sim_gltf_check(const char *file, const char *text, size_t bytes);
 int sim_ply_check(const char *file, const char *text, size_t bytes);
 int sim_stl_check(const char *file, const char *text, size_t bytes);
+
+/* A sentence for what assimp says of a glTF file; NULL: none is known. */
+const char *sim_gltf_words(const char *file, const char *heard);
 
 #endif

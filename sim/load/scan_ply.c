@@ -138,6 +138,31 @@ static int take_format(struct ply *s, const char *name)
                                     : sim_refuse(s->file, s->line - 1, "unknown format '%s'", name);
 }
 
+/* Do faces stand before vertices? */
+static int is_behind(const struct ply *s)
+{
+    int face = 0;
+    for (int k = 0; k < s->n_elements; k++) {
+        face |= strcmp(s->element[k].name, "face") == 0;
+        if (strcmp(s->element[k].name, "vertex") == 0)
+            return face;
+    }
+    return 0;
+}
+
+/* Do vertices, if there are any, have three coordinates? */
+static int has_places(const struct ply *s)
+{
+    for (int k = 0; k < s->n_elements; k++) {
+        int n = 0;
+        for (int i = 0; i < s->element[k].n_properties; i++)
+            n += s->element[k].property[i].role == ROLE_POSITION;
+        if (strcmp(s->element[k].name, "vertex") == 0 && s->element[k].n > 0)
+            return n == 3;
+    }
+    return 1;
+}
+
 static int take_header(struct ply *s)
 {
     char text[256], *word[6];
@@ -148,6 +173,10 @@ static int take_header(struct ply *s)
         int status = SIM_OK;
         if (n == 0 || strcmp(word[0], "comment") == 0 || strcmp(word[0], "obj_info") == 0)
             continue;
+        if (strcmp(word[0], "end_header") == 0 && s->format != FORMAT_NONE && is_behind(s))
+            return sim_refuse(s->file, 0, "its faces stand before its vertices; export the model again");
+        if (strcmp(word[0], "end_header") == 0 && s->format != FORMAT_NONE && !has_places(s))
+            return sim_refuse(s->file, 0, "its vertices have no x, y and z; export the model again");
         if (strcmp(word[0], "end_header") == 0)
             return s->format != FORMAT_NONE ? SIM_OK
                                             : sim_refuse(s->file, 0, "a header without a format");

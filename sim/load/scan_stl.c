@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include <stdlib.h>
 #include <string.h>
 
 #include "scan.h"
@@ -22,6 +23,30 @@ static int is_text(const char *text, size_t bytes)
            memchr(text, '\0', bytes < 1024 ? bytes : 1024) == NULL;
 }
 
+/* Has each line of a vertex three numbers? */
+static int check_vertices(const char *file, const char *text, size_t bytes)
+{
+    uint32_t line = 1;
+    for (const char *p = text, *const end = text + bytes; p < end; line++) {
+        const char *const from = p + strspn(p, " \t");
+        const size_t n = strcspn(from, "\r\n");
+        if (strncmp(from, "vertex", 6) == 0 && (from[6] == ' ' || from[6] == '\t')) {
+            const char *at = from + 6;
+            char *stop;
+            int numbers = 0;
+            while (numbers < 3 && ((void)strtod(at, &stop), stop != at && stop <= from + n)) {
+                at = stop;
+                numbers++;
+            }
+            if (numbers < 3)
+                return sim_refuse(file, line, "'%.*s' is not a vertex of three numbers", (int)(n < 40 ? n : 40), from);
+        }
+        p = from + n;
+        p += p < end && p[0] == '\r' && p[1] == '\n' ? 2 : 1;
+    }
+    return SIM_OK;
+}
+
 int sim_stl_check(const char *file, const char *text, size_t bytes)
 {
     const uint64_t n = bytes >= 84 ? u32(text + 80) : 0;
@@ -35,8 +60,12 @@ int sim_stl_check(const char *file, const char *text, size_t bytes)
             return sim_refuse(file, 0,
                               "cut off: %llu faces take %llu bytes, it has %zu; get the whole file",
                               (unsigned long long)n, (unsigned long long)(84 + 50 * n), bytes);
-        return SIM_OK; /* longer than it says: the loader decides */
+        return sim_refuse(file, 0,
+                          "is longer than it says: %llu faces take %llu bytes, it has %zu; export the model again",
+                          (unsigned long long)n, (unsigned long long)(84 + 50 * n), bytes);
     }
+    if (text[0] != 's')
+        return sim_refuse(file, 0, "begins with blanks in place of `solid`; export the model again");
     size_t end = bytes;
     while (end > 0 && strchr(" \t\r\n", text[end - 1]) && text[end - 1] != '\0')
         end--;
@@ -49,5 +78,5 @@ int sim_stl_check(const char *file, const char *text, size_t bytes)
         return sim_refuse(file, 0, "cut off: its last line is not `endsolid`; get the whole file");
     if (strstr(text, "facet") == NULL)
         return sim_refuse(file, 0, "no faces in it");
-    return SIM_OK;
+    return check_vertices(file, text, bytes);
 }

@@ -96,7 +96,9 @@ static void memory(struct column *at, const struct view_figures *f)
 
 static void speed(struct column *at, const struct view_figures *f)
 {
-    heading(at, "Frames a second, estimated");
+    char text[64];
+    (void)snprintf(text, sizeof text, "Frames a second, give or take %.0f %%", f->error);
+    heading(at, f->error > 0.0 ? text : "Frames a second, estimated");
     for (int i = 0; i < BUDGET_USUAL_PARTS; i++) {
         char name[32];
         (void)snprintf(name, sizeof name, "%s%s", budget_usual_parts[i],
@@ -125,7 +127,7 @@ static void bar(struct view_canvas *c, const struct view_desk *d, int w, int y)
     const int n = (w - 2 * VIEW_MARGIN) / VIEW_CELL_W;
     view_canvas_fill(c, 0, y, w, 1, VIEW_LINE);
     y += VIEW_MARGIN / 2;
-    const int lines = view_canvas_lines(c, VIEW_MARGIN, y, d->refused ? VIEW_ACCENT : VIEW_INK, n, VIEW_BAR_LINES / 2,
+    const int lines = view_canvas_lines(c, VIEW_MARGIN, y, d->refused ? VIEW_ACCENT : VIEW_INK, n, VIEW_BAR_LINES - 1,
                                         VIEW_PITCH, d->said);
     (void)view_canvas_lines(c, VIEW_MARGIN, y + lines * VIEW_PITCH, VIEW_DIM, n, VIEW_BAR_LINES - lines, VIEW_PITCH,
                             d->line);

@@ -4,6 +4,7 @@
  */
 #include "figures.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -49,7 +50,12 @@ void view_figures_count(struct view_figures *f, const struct view_shot *shot)
     rq->has_verts = view_words_get(&shot->words, "--verts") != NULL;
     sim_quiet++;
     rq->kept = shot->kept;
-    int status = of_model ? budget_model(b, rq, &shot->model) : budget_scene(b, rq);
+    const struct demo *demo = of_model ? NULL : sim_demo_named(rq->scene);
+    int status = SIM_OK;
+    if (demo != NULL && sim_demo_piece(demo) != NULL)
+        budget_frame(b, rq, &shot->seen.config, &shot->seen.frame.stats);
+    else
+        status = of_model ? budget_model(b, rq, &shot->model) : budget_scene(b, rq);
     if (status == SIM_OK)
         status = budget_take(b, rq);
     sim_quiet--;
@@ -62,6 +68,8 @@ void view_figures_count(struct view_figures *f, const struct view_shot *shot)
         const struct budget_part *p = budget_part_named(budget_usual_parts[i]);
         const enum budget_cpu cpu = budget_cpu_of(p->core);
         f->fps[i] = 1e6 * p->mhz / budget_cycles(rq, b, p->core);
+        if (isfinite(f->fps[i]))
+            f->error = fmax(f->error, ceil(budget_error(b, p->core)));
         f->too_small[i] = b->ram.total[cpu] > p->ram || b->flash[cpu].total > p->flash;
     }
     SIM_FREE(rq, b);

@@ -13,6 +13,7 @@ struct view_figures {
     int plain;                /* flag: effects, lines and points of it are not counted */
     struct budget_ram ram;    /* pools as the words say, or for one pass */
     double fps[BUDGET_USUAL_PARTS]; /* NAN: not known */
+    double error;                   /* percent that these may be off; 0: not known */
     int too_small[BUDGET_USUAL_PARTS]; /* flag: RAM or flash */
 };
 

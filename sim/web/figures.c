@@ -29,13 +29,7 @@ static int count_frame(struct budget *b, const struct budget_request *rq)
     const int status = draw(&drawn, &rq->o);
     if (status != SIM_OK)
         return status;
-    const struct zs_stats *s = &drawn.frame.stats;
-    b->config = drawn.config;
-    if (!rq->has_tris)
-        b->config.max_tris = (uint16_t)(s->max_tris_used < 1 ? 1 : s->max_tris_used);
-    if (!rq->has_verts)
-        b->config.max_verts = (uint16_t)(s->max_verts_used < 3 ? 3 : s->max_verts_used);
-    b->n_instances = s->instances_in;
+    budget_frame(b, rq, &drawn.config, &drawn.frame.stats);
     sim_render_free(&drawn);
     return SIM_OK;
 }
@@ -113,7 +107,7 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     (void)fprintf(f, ",\"limit\":\"%s\",\"ramFits\":%s,\"flashFits\":%s",
                   wire > t.draw_ms ? "wire" : "drawing", t.ram <= p->ram ? "true" : "false",
                   t.flash > p->flash ? "false" : "true");
-    if (isnan(t.draw_ms) && n->unknown != NULL)
+    if (isnan(t.draw_ms) && n->unknown != NULL && !piece)
         (void)fprintf(f, ",\"why\":\"Not known: what %s takes was not measured.\"", n->unknown);
     else if (isnan(t.draw_ms))
         (void)fprintf(f, ",\"why\":\"%s\"",

@@ -1,7 +1,7 @@
 /* Models of each format that the page reads, of one ring, with a texture where the format has one.
  *
- * Usage: node tests/web/models.mjs FOLDER: ring.obj, ring.mtl, ring.png, ring.stl, ring.ply, ring.glb,
- * mirrored.glb, sparse.glb, draco.gltf
+ * Usage: node tests/web/models.mjs FOLDER: ring.obj, ring.mtl, ring.png, ring.stl, ring.ply, big.ply, ring.glb,
+ * mirrored.glb, sparse.glb, strip.glb, draco.gltf; and into FOLDER/bad what nothing can be made of
  *
  * SPDX-License-Identifier: MIT
  */
@@ -108,10 +108,36 @@ write(
         ),
 );
 
+/* The same, binary, the most significant byte first */
+const big = Buffer.alloc(12 * points.length + 13 * triangles.length);
+points.forEach((p, i) => p.forEach((c, k) => big.writeFloatBE(c, 12 * i + 4 * k)));
+triangles.forEach((t, i) => {
+    const at = 12 * points.length + 13 * i;
+    big.writeUInt8(3, at);
+    t.forEach((v, k) => big.writeInt32BE(v, at + 1 + 4 * k));
+});
+const bigHead = Buffer.from(
+    `ply\nformat binary_big_endian 1.0\nelement vertex ${points.length}\nproperty float x\nproperty float y\n` +
+        `property float z\nelement face ${triangles.length}\nproperty list uchar int vertex_indices\nend_header\n`,
+);
+write('big.ply', Buffer.concat([bigHead, big]));
+big.writeFloatBE(NaN, 12 * 5);
+write('bad/big.ply', Buffer.concat([bigHead, big]));
+stl.writeFloatLE(NaN, 84 + 50 * 7 + 12);
+write('bad/nan.stl', stl);
+stl.writeUInt32LE(3, 80);
+write('bad/longer.stl', stl);
+
 /* ---- glTF: one mesh at two places, turned, and mirrored; in sparse.glb some of its points are replaced ---- */
 
 const floats = (list) => Buffer.from(Float32Array.from(list.flat()).buffer);
 const replaced = points.map((_, i) => i).filter((i) => i % 5 === 2);
+const strip = [];
+for (let i = 0; i < A; i++)
+    for (let j = 0; j <= B; j++) {
+        const q = i * (B + 1) + j;
+        strip.push(...(j === 0 ? [q, q] : []), q, q + B + 1, ...(j === B ? [q + B + 1, q + B + 1] : []));
+    }
 const buffers = [
     floats(points),
     floats(normals),
@@ -120,6 +146,7 @@ const buffers = [
     png,
     Buffer.from(Uint16Array.from(replaced).buffer),
     floats(replaced.map((i) => points[i].map((c) => c * 1.25))),
+    Buffer.from(Uint16Array.from(strip).buffer),
 ];
 let bytes = 0;
 const bufferViews = buffers.map((b) => {
@@ -160,6 +187,7 @@ const gltf = {
         accessor(1, 5126, points.length, 'VEC3'),
         accessor(2, 5126, points.length, 'VEC2'),
         accessor(3, 5123, indices.length, 'SCALAR'),
+        accessor(7, 5123, strip.length, 'SCALAR'),
     ],
 };
 const words = (...n) => Buffer.from(Uint32Array.from(n).buffer);
@@ -170,6 +198,31 @@ function glb(name) {
     write(name, Buffer.concat([...head, json, words(bytes), Buffer.from('BIN\0'), bin]));
 }
 glb('ring.glb');
+/* With a part changed. */
+function changed(name, change) {
+    const kept = structuredClone(gltf);
+    change();
+    glb(name);
+    Object.assign(gltf, kept);
+}
+changed('strip.glb', () => {
+    gltf.meshes = [{ primitives: [{ attributes: { POSITION: 0 }, indices: 4, mode: 5 }] }];
+});
+changed('bad/material.glb', () => {
+    gltf.meshes[0].primitives[0].material = 7;
+});
+changed('bad/beyond.glb', () => {
+    gltf.accessors[3].count = 1e6;
+});
+changed('bad/vertices.glb', () => {
+    gltf.accessors[0].count -= 5;
+});
+changed('bad/ring.glb', () => {
+    gltf.nodes[0].children = [0];
+});
+changed('bad/scene.glb', () => {
+    gltf.scenes = [];
+});
 gltf.samplers = [{ wrapS: 33648, wrapT: 33071 }];
 gltf.textures[0].sampler = 0;
 glb('mirrored.glb');

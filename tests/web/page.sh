@@ -39,14 +39,14 @@ awk 'BEGIN {
 printf 'newmtl clay\nKd 0.8 0.45 0.2\nKs 0.7 0.7 0.7\nNs 40\nnewmtl blue\nKd 0.1 0.3 0.7\nd 0.5\n' >"$work/glass.mtl"
 printf 'newmtl clay\nKd 0.8 0.45 0.2\nnewmtl blue\nKd 0.1 0.3 0.7\n' >"$work/held.mtl"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# a face that is not there\nf 1 2 9\n' >"$work/bad.obj"
+broken=$work/bad
+mkdir -p "$broken"
 node tests/web/models.mjs "$work" || bad web_models "they could not be made"
-for model in glass.obj held.obj ring.obj ring.stl ring.ply ring.glb mirrored.glb sparse.glb; do
+for model in glass.obj held.obj ring.obj ring.stl ring.ply big.ply ring.glb mirrored.glb sparse.glb strip.glb; do
     "$build/zsim" render "$work/$model" --panel st7789:240x240 --out "$work/$model.png" 2>"$work/zsim.log" ||
         bad "web_zsim_$model" "zsim render: $(head -c 300 "$work/zsim.log")"
 done
 # Models that nothing can be made of; beside each what zsim says
-broken=$work/bad
-mkdir -p "$broken"
 : >"$broken/empty.obj"
 printf 'hello\n' >"$broken/words.obj"
 printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n' >"$broken/nan.obj"
@@ -57,9 +57,22 @@ iconv -f UTF-8 -t UTF-16 "$work/bad.obj" >"$broken/wide.obj"
 iconv -f UTF-8 -t UTF-32BE "$work/bad.obj" >"$broken/wider.obj"
 printf 'mtllib material.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n' >"$broken/material.obj"
 printf 'newmtl a\nKd 1 0 0\n' | iconv -f UTF-8 -t UTF-16 >"$broken/material.mtl"
+printf 'v 0 0 0\nv 1 0 \\\n0\nv 0 1 0\nf 1 2 \\\n9\n' >"$broken/goes_on.obj"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/5\n' >"$broken/texture.obj"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3/1/1/1\n' >"$broken/corner.obj"
+head -c 2000 "$work/ring.glb" >"$broken/cut.glb"
+head -c 200 "$work/draco.gltf" >"$broken/cut.gltf"
+printf 'glTF\001\0\0\0\024\0\0\0\0\0\0\0\0\0\0\0' >"$broken/one.glb"
 head -c 300 "$work/ring.stl" >"$broken/cut.stl"
 head -c 50 "$work/ring.stl" >"$broken/head.stl"
+facet='facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 %s 0\nvertex 0 1 0\nendloop\nendfacet\n'
 printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n' >"$broken/text.stl"
+# shellcheck disable=SC2059 # the format is above
+for row in 0 one nan; do
+    { printf 'solid x\n' && printf "$facet" "$row" && printf 'endsolid x\n'; } >"$broken/text_$row.stl"
+done
+sed -i '1s/^/ /' "$broken/text_0.stl"
+sed 's/^property float z$//' "$work/ring.ply" >"$broken/flat.ply"
 head -c 700 "$work/ring.ply" >"$broken/cut.ply"
 ply='ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n'
 ply="${ply}property list uchar int vertex_indices\nend_header\n0 0 0\n%b\n0 1 0\n%b\n"
@@ -68,7 +81,7 @@ for row in 'index|1 0 0|3 0 1 7' 'nan|1 nan 0|3 0 1 2' 'two|1 0 0|2 0 1' 'word|1
     values=${row#*|}
     printf "$ply" "${values%|*}" "${values#*|}" >"$broken/${row%%|*}.ply"
 done
-for model in "$broken"/*.obj "$broken"/*.stl "$broken"/*.ply; do
+for model in "$broken"/*.obj "$broken"/*.stl "$broken"/*.ply "$broken"/*.gl*; do
     "$build/zsim" render "$model" --out "$work/none.png" 2>"$work/zsim.log" && bad web_zsim "$model is drawn"
     tail -n 1 "$work/zsim.log" | sed "s|^zsim: $broken/||" >"$model.txt"
 done

@@ -4,6 +4,9 @@
  */
 import { BadModel, Corners } from './read_text.js';
 
+const NO_FACES = 'no faces in it; zsim draws polygons',
+    NOT_THERE = 'it names parts that are not there; export the model again',
+    NO_SENSE = 'an accessor makes no sense; export the model again';
 const SIZE = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
 const VALUE = {
     5120: ['getInt8', 1, 127],
@@ -24,6 +27,8 @@ function splitGlb(name, bytes) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     if (bytes.length < 20 || view.getUint32(8, true) > bytes.length)
         throw new BadModel(name, 0, 'cut off: it is shorter than its header says; get the whole file');
+    if (view.getUint32(4, true) !== 2)
+        throw new BadModel(name, 0, `is glTF ${view.getUint32(4, true)}, which is not read; export it as glTF 2.0`);
     const length = view.getUint32(12, true);
     const json = new TextDecoder().decode(bytes.subarray(20, 20 + length));
     const at = 20 + length;
@@ -88,19 +93,20 @@ class Gltf {
     /** Values of an accessor, a row an element. A sparse one replaces some rows, of zeros where it has no others. */
     rows(number) {
         const a = (this.json.accessors || [])[number];
-        if (!a) this.fail(`accessor ${number} is missing; export the model again`);
+        if (!a) this.fail(NOT_THERE);
         const { sparse } = a,
             n = SIZE[a.type];
-        if (!n) this.fail(`accessor ${number} makes no sense; export the model again`);
+        if (!n) this.fail(NO_SENSE);
+        if (!sparse && a.bufferView === undefined) this.fail('an accessor has no data; export the model again');
         const out =
             sparse && a.bufferView === undefined
                 ? Array.from({ length: a.count }, () => new Array(n).fill(0))
-                : this.values(number, a, a, a.count, n);
+                : this.values(a, a, a.count, n);
         if (!sparse) return out;
         const { count, indices, values } = sparse;
-        if (!indices || !values) this.fail(`accessor ${number} makes no sense; export the model again`);
-        const at = this.values(number, indices, indices, count, 1);
-        this.values(number, values, a, count, n).forEach((row, i) => {
+        if (!indices || !values) this.fail(NO_SENSE);
+        const at = this.values(indices, indices, count, 1);
+        this.values(values, a, count, n).forEach((row, i) => {
             if (at[i][0] >= a.count) this.fail(`accessor ${number} replaces element ${at[i][0]} of ${a.count}`);
             out[at[i][0]] = row;
         });
@@ -108,16 +114,16 @@ class Gltf {
     }
 
     /* count rows of n numbers of the type of `a`, from where `place` says. */
-    values(number, place, a, count, n) {
+    values(place, a, count, n) {
         const type = VALUE[a.componentType],
             v = (this.json.bufferViews || [])[place.bufferView];
-        if (!type || !v) this.fail(`accessor ${number} makes no sense; export the model again`);
+        if (!type || !v) this.fail(NO_SENSE);
         const bytes = this.buffers[v.buffer],
             start = (v.byteOffset || 0) + (place.byteOffset || 0);
         const stride = v.byteStride || n * type[1],
             end = start + stride * (count - 1) + n * type[1];
         if (!bytes || end > bytes.length)
-            this.fail(`accessor ${number} goes beyond its buffer; the file may be cut off`);
+            this.fail('an accessor goes beyond its buffer; get the whole file');
         const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength),
             out = [];
         for (let i = 0; i < count; i++) {
@@ -131,11 +137,13 @@ class Gltf {
         return out;
     }
 
-    primitive(p, m) {
-        if ((p.mode ?? 4) !== 4) {
-            this.losses.add('points, lines and strips of triangles are left out');
+    primitive(p, m, mesh) {
+        const mode = p.mode ?? 4;
+        if (mode < 4) {
+            this.losses.add('points and lines are left out');
             return;
         }
+        if (p.material !== undefined && !(this.json.materials || [])[p.material]) this.fail(NOT_THERE);
         if (p.extensions && p.extensions.KHR_draco_mesh_compression)
             this.fail('its meshes are compressed by Draco, which is not read; export it without');
         if (p.attributes.POSITION === undefined) return;
@@ -144,15 +152,25 @@ class Gltf {
         const uvs = p.attributes.TEXCOORD_0 === undefined ? null : this.rows(p.attributes.TEXCOORD_0);
         const colors = p.attributes.COLOR_0 === undefined ? null : this.rows(p.attributes.COLOR_0);
         const order = p.indices === undefined ? points.map((_, i) => i) : this.rows(p.indices).map((r) => r[0]);
+        const step = mode === 4 ? 3 : 1;
+        /* corners of the triangle that begins there; of a strip every other one is the other way round */
+        const cornersAt = (t) =>
+            [mode === 6 ? 0 : mode === 5 ? t + (t % 2) : t, mode === 5 ? t + 1 - (t % 2) : t + 1, t + 2].map((k) => order[k]);
+        if (order.some((i) => i >= points.length)) {
+            const is = (t) => cornersAt(t).every((i) => i < points.length);
+            const some = order.some((_, t) => t % step === 0 && t + 2 < order.length && is(t));
+            this.fail(some ? 'its faces name vertices that are not there; export the model again' : NO_FACES);
+        }
         const cof = cofactors(m),
             made = new Array(points.length);
         const vertex = (i) => {
-            if (i >= points.length) this.fail(`vertex index ${i} is out of range: ${points.length} exist`);
             if (made[i] !== undefined) return made[i];
             const [x, y, z] = points[i];
             const at = [0, 1, 2].map((r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]);
             if (!at.every(Number.isFinite))
-                this.fail(`vertex ${i + 1} has a coordinate that is not finite; export it again`);
+                this.fail(
+                    `vertex ${i + 1} of mesh '${mesh}' has a coordinate that is not finite; export the model again`,
+                );
             const n = normals && [0, 1, 2].map((r) => cof.row[r].reduce((s, c, k) => s + c * normals[i][k], 0));
             const length = n ? Math.hypot(...n) : 0;
             return (made[i] = this.corners.vertex(
@@ -163,8 +181,8 @@ class Gltf {
                 colors ? colors[i] : null,
             ));
         };
-        for (let t = 0; t + 2 < order.length; t += 3) {
-            const c = [order[t], order[t + 1], order[t + 2]].map(vertex);
+        for (let t = 0; t + 2 < order.length; t += step) {
+            const c = cornersAt(t).map(vertex);
             this.corners.polygon(cof.mirrored ? [c[0], c[2], c[1]] : c, p.material ?? this.plain());
         }
     }
@@ -177,17 +195,23 @@ class Gltf {
     walk() {
         const { scenes = [], nodes = [], scene = 0 } = this.json;
         const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+        if (!scenes[scene]) this.fail('no scene in it; export the model again');
         const stack = [...((scenes[scene] || {}).nodes || nodes.map((_, i) => i))]
             .reverse()
             .map((n) => [n, identity, 0]);
         while (stack.length > 0) {
             const [number, parent, depth] = stack.pop(),
                 node = nodes[number];
-            if (!node) this.fail(`node ${number} is missing; export the model again`);
+            if (!node) this.fail(NOT_THERE);
+            if (depth > nodes.length) this.fail('its nodes hold each other in a ring; export the model again');
             if (depth > 256) this.fail('nodes stand more than 256 deep; flatten the model');
             const m = times(parent, matrixOf(node));
             const mesh = node.mesh === undefined ? null : (this.json.meshes || [])[node.mesh];
-            for (const p of mesh ? mesh.primitives : []) this.primitive(p, m);
+            if (mesh === undefined) this.fail(NOT_THERE);
+            (mesh ? mesh.primitives : []).forEach((p, i, all) => {
+                const of = mesh.name || `meshes[${node.mesh}]`;
+                this.primitive(p, m, all.length > 1 ? `${of}-${i}` : of);
+            });
             for (const child of [...(node.children || [])].reverse()) stack.push([child, m, depth + 1]);
             if (node.skin !== undefined) this.losses.add('skins are left out: the model stands as it was built');
         }
@@ -213,7 +237,7 @@ class Gltf {
             if (m.extensions && m.extensions.KHR_materials_unlit) made.unlit = true;
             return made;
         });
-        if (this.usesPlain) out.push({ name: '' });
+        if (this.usesPlain) out.push({ name: '', color: [1, 1, 1], opacity: 1, alpha: 'opaque', saysAlpha: true });
         return out;
     }
 
@@ -267,11 +291,10 @@ export function readGltf(name, bytes, other = () => null) {
     } catch (e) {
         throw new BadModel(name, 0, 'its JSON does not end or is broken; get the whole file');
     }
-    if (!parsed || typeof parsed !== 'object' || !parsed.asset)
-        throw new BadModel(name, 0, 'is no glTF: it has no `asset`');
+    if (!parsed || typeof parsed !== 'object') throw new BadModel(name, 0, 'no scene in it; export the model again');
     const gltf = new Gltf(name, parsed, bin, other);
     gltf.walk();
-    if (gltf.corners.indices.length === 0) throw new BadModel(name, 0, 'no triangles in it');
+    if (gltf.corners.indices.length === 0) throw new BadModel(name, 0, NO_FACES);
     return gltf.corners.model(name, {
         materials: gltf.materials(),
         textures: gltf.textures(),

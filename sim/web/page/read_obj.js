@@ -56,14 +56,14 @@ export function readObj(name, text, other = () => null) {
 
     const lines = text
         .replace(/^\ufeff/, '')
-        .replace(/\\\r?\n/g, ' ')
+        .replace(/\\\r?\n/g, ' \x01 ') // a line goes on
         .split(/\r\n|\n|\r/);
     const fail = (line, why) => {
         throw new BadModel(name, line + 1, why);
     };
     const number = (word, line) => {
         const v = word === undefined || word === '' ? NaN : Number(word),
-            shown = String(word).slice(0, 32);
+            shown = String(word).split('\0')[0].slice(0, 32);
         if (/^[+-]?(nan|inf(inity)?)$/i.test(word) || Math.abs(v) === Infinity)
             fail(line, `'${shown}' is not a finite number; export the model again without it`);
         if (Number.isNaN(v)) fail(line, `'${shown}' is not a number`);
@@ -76,13 +76,12 @@ export function readObj(name, text, other = () => null) {
         for (let i = 1; i <= n; i++) out.push(number(word[i], line));
         return out;
     };
-    const index = (word, count, what, line) => {
+    const index = (word, count, what, line, corner) => {
         const i = Number(word);
-        if (!Number.isInteger(i)) fail(line, `'${word}' is not a corner of a face`);
+        if (!/^[+-]?\d+$/.test(word)) fail(line, `'${corner}' is not a corner of a face`);
         if (i === 0) fail(line, `${what} index 0; indices count from 1, or back from -1`);
-        const at = i > 0 ? i - 1 : count + i;
-        if (at < 0 || at >= count) fail(line, `${what} index ${i} is out of range: there are ${count} so far`);
-        return at;
+        if (i < -count) fail(line, `${what} index ${i} is out of range: there are ${count} so far`);
+        return i > 0 ? i - 1 : count + i;
     };
     const use = (wanted) => {
         if (!numberOf.has(wanted)) {
@@ -98,8 +97,25 @@ export function readObj(name, text, other = () => null) {
         material = numberOf.get(wanted);
     };
 
-    for (let line = 0; line < lines.length; line++) {
-        const body = lines[line].split('#', 1)[0].trim();
+    /* A corner of a face: numbers of its point, texture coordinates and normal; -1: none. */
+    const cornerOf = (word, line) => {
+        const part = word.split('/');
+        if (part.length > 3) fail(line, `'${word}' is not a corner of a face`);
+        const [p, t, n] = [points, uvs, normals].map((all, k) => {
+            if (k > 0 && (part[k] === undefined || part[k] === '')) return -1;
+            return index(part[k], all.length, ['vertex', 'texture', 'normal'][k], line, word);
+        });
+        if (t >= texture.most) texture = { most: t + 1, line };
+        return { p, t, n };
+    };
+    const faces = []; /* they may stand before their vertices */
+    let texture = { most: 0, line: 0 },
+        goesOn = 0; /* lines that went on so far */
+
+    for (let at = 0; at < lines.length; at++) {
+        const line = at + goesOn;
+        goesOn += lines[at].split('\x01').length - 1;
+        const body = lines[at].split('#', 1)[0].replaceAll('\x01', '').trim();
         if (body === '') continue;
         const word = body.split(/\s+/);
         if (word[0] === 'v') {
@@ -113,23 +129,7 @@ export function readObj(name, text, other = () => null) {
         } else if (word[0] === 'f') {
             if (word.length < 4) fail(line, `a face of ${word.length - 1} vertices; it needs at least 3`);
             if (materials.length === 0) use('');
-            const face = [];
-            for (let k = 1; k < word.length; k++) {
-                const part = word[k].split('/');
-                const p = index(part[0], points.length, 'vertex', line);
-                const t = part.length > 1 && part[1] !== '' ? index(part[1], uvs.length, 'texture', line) : -1;
-                const n = part.length > 2 && part[2] !== '' ? index(part[2], normals.length, 'normal', line) : -1;
-                face.push(
-                    corners.vertex(
-                        `${p}/${t}/${n}`,
-                        points[p],
-                        n < 0 ? null : normals[n],
-                        t < 0 ? null : uvs[t],
-                        tints[p],
-                    ),
-                );
-            }
-            corners.polygon(face, material);
+            faces.push({ corners: word.slice(1).map((w) => cornerOf(w, line)), material, line });
         } else if (word[0] === 'usemtl') {
             use(body.slice(6).trim());
         } else if (word[0] === 'mtllib') {
@@ -150,6 +150,20 @@ export function readObj(name, text, other = () => null) {
             fail(line, `'${word[0].slice(0, 20)}' is no element of OBJ text`);
         }
     }
+    const beyond = (line, what, n, all) => fail(line, `${what} index ${n} is out of range: the file has ${all.length}`);
+    for (const face of faces)
+        for (const { p, n } of face.corners) {
+            if (p >= points.length) beyond(face.line, 'vertex', p + 1, points);
+            if (n >= normals.length) beyond(face.line, 'normal', n + 1, normals);
+        }
+    if (texture.most > uvs.length) beyond(texture.line, 'texture', texture.most, uvs);
+    for (const face of faces)
+        corners.polygon(
+            face.corners.map(({ p, t, n }) =>
+                corners.vertex(`${p}/${t}/${n}`, points[p], normals[n] ?? null, uvs[t] ?? null, tints[p]),
+            ),
+            face.material,
+        );
     if (corners.indices.length === 0)
         throw new BadModel(name, 0, 'no faces in it; zsim draws `f` elements of OBJ text');
     for (const what of lost) losses.push(`${what} are left out`);

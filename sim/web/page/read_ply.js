@@ -30,22 +30,39 @@ function readHeader(name, bytes) {
     if (lines[0].trim() !== 'ply') throw new BadModel(name, 1, 'not a PLY file: its first line is not `ply`');
     if (!end) throw new BadModel(name, lines.length, 'cut off: its header has no end; get the whole file');
     const header = { format: '', elements: [], start: end.index + end[0].length, lines: lines.length };
-    for (let i = 1; i < lines.length; i++) {
+    for (let i = 1; i < lines.length - 1; i++) {
         const word = lines[i].trim().split(/\s+/);
+        if (/^(comment|obj_info|)$/.test(word[0])) continue;
+        const wrong = (why) => {
+            throw new BadModel(name, i + 1, why);
+        };
         const element = header.elements[header.elements.length - 1];
-        if (word[0] === 'format') header.format = word[1];
-        else if (word[0] === 'element')
+        if (word[0] === 'format') {
+            header.format = word[1];
+            if (!/^(ascii|binary_(little|big)_endian)$/.test(word[1]))
+                wrong(`unknown format '${word[1]}'`);
+        } else if (word[0] === 'element') {
+            if (word.length !== 3 || word[2][0] === '-') wrong('an element that makes no sense');
+            if (!/^\d+$/.test(word[2])) wrong(`'${word[2]}' is not a count`);
             header.elements.push({ name: word[1], count: Number(word[2]), properties: [] });
-        else if (word[0] === 'property' && element) {
-            const list = word[1] === 'list';
+        } else if (word[0] === 'property') {
+            const list = word.length === 5 && word[1] === 'list';
+            if (!element || (!list && word.length !== 3)) wrong('a property that makes no sense here');
             const type = TYPES[word[list ? 3 : 1]],
                 length = list ? TYPES[word[2]] : null;
-            if (!type || (list && !length)) throw new BadModel(name, i + 1, 'a property of unknown type');
+            if (!type || (list && (!length || /Float/.test(length[0])))) wrong('a property of unknown type');
             element.properties.push({ name: word[list ? 4 : 2], type, length, kind: word[list ? 3 : 1] });
-        }
+        } else wrong(`'${word[0]}' does not belong in a header`);
     }
-    if (!/^(ascii|binary_(little|big)_endian)$/.test(header.format))
-        throw new BadModel(name, 0, `unknown format '${header.format}'`);
+    if (header.format === '') throw new BadModel(name, 0, 'a header without a format');
+    const places = header.elements.map((e) => e.name);
+    if (places.includes('face') && places.indexOf('face') < places.indexOf('vertex'))
+        throw new BadModel(name, 0, 'its faces stand before its vertices; export the model again');
+    const face = header.elements.find((e) => e.name === 'face');
+    if (face && !face.properties.some((p) => p.length && /^vertex_ind(ex|ices)$/.test(p.name))) face.count = 0;
+    const vertex = header.elements.find((e) => e.name === 'vertex' && e.count > 0);
+    if (vertex && vertex.properties.filter((p) => !p.length && /^[xyz]$/.test(p.name)).length !== 3)
+        throw new BadModel(name, 0, 'its vertices have no x, y and z; export the model again');
     return header;
 }
 
@@ -106,8 +123,6 @@ export function readPly(name, bytes) {
     const body = new Body(name, bytes, header);
     let known = null;
     for (const element of header.elements) {
-        if (!(element.count >= 0 && element.count < 2 ** 31))
-            throw new BadModel(name, 0, `element ${element.name} has no count that makes sense`);
         for (let i = 0; i < element.count; i++) {
             const row = readRow(body, element, i, countOf('vertex'));
             body.skip(true);
@@ -116,8 +131,6 @@ export function readPly(name, bytes) {
                 rows.push(row);
             } else if (element.name === 'face') {
                 const list = row.vertex_indices || row.vertex_index || [];
-                if (list.length < 3 || list.some((v) => v >= rows.length))
-                    body.fail(`face ${i + 1} stands before its vertices; export the model again`, 0);
                 corners.polygon(
                     list.map((v) => vertexOf(corners, rows, v, known)),
                     0,

@@ -1,0 +1,57 @@
+/* glTF: is a .glb all there, and of a version that is read? And what assimp's complaints mean.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <string.h>
+#include <strings.h>
+
+#include "scan.h"
+#include "sim.h"
+
+static int ends_in(const char *file, const char *end)
+{
+    const size_t n = strlen(file), k = strlen(end);
+    return n >= k && strcasecmp(file + n - k, end) == 0;
+}
+
+static uint32_t u32(const char *p)
+{
+    const unsigned char *b = (const unsigned char *)p;
+    return (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+}
+
+int sim_gltf_check(const char *file, const char *text, size_t bytes)
+{
+    if (!ends_in(file, ".glb") || bytes < 4 || memcmp(text, "glTF", 4) != 0)
+        return SIM_OK;
+    if (bytes < 20 || u32(text + 8) > bytes)
+        return sim_refuse(file, 0, "cut off: it is shorter than its header says; get the whole file");
+    if (u32(text + 4) != 2)
+        return sim_refuse(file, 0, "is glTF %u, which is not read; export it as glTF 2.0", u32(text + 4));
+    return SIM_OK;
+}
+
+const char *sim_gltf_words(const char *file, const char *heard)
+{
+    static const struct {
+        const char *heard, *words;
+    } known[] = {
+        { "No suitable reader", "its JSON does not end or is broken; get the whole file" },
+        { "GLTF: No scene", "no scene in it; export the model again" },
+        { "recursive reference", "its nodes hold each other in a ring; export the model again" },
+        { "GLTF: Accessor with", "an accessor goes beyond its buffer; get the whole file" },
+        { "exceeds size of actual data", "its buffer is shorter than it says; get the whole file" },
+        { "Unsupported Component Type", "an accessor makes no sense; export the model again" },
+        { "data is null when extracting", "an accessor has no data; export the model again" },
+        { "is out of bounds", "it names parts that are not there; export the model again" },
+        { "Missing section", "it names parts that are not there; export the model again" },
+        { "has no faces", "no faces in it; zsim draws polygons" },
+        { "out-of-range indices", "its faces name vertices that are not there; export the model again" },
+    };
+    if (!ends_in(file, ".glb") && !ends_in(file, ".gltf"))
+        return NULL;
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strstr(heard, known[i].heard) != NULL)
+            return known[i].words;
+    return NULL;
+}
