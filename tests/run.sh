@@ -23,13 +23,13 @@ parts=tests/parts.txt
 WERROR=-Werror # what parts compile by make
 DEBUG= # and no test looks at what a debugger would: a fifth less to compile for boards
 export WERROR DEBUG
-# Many parts compile the same source for a Cortex-M or RISC-V with the same options: once, where ccache is installed. Of
-# other compilers no object is made twice. The cache is of this build folder. Headers are those that the compiler names
-# (-MMD), without running the preprocessor by itself; where a copy of the repository lies does not matter.
+# Many parts compile the same source with the same options: once, where ccache is installed. The cache is of this build
+# folder. Headers are those that the compiler names (-MMD), without running the preprocessor by itself; where a copy of
+# the repository lies does not matter.
 ccache=$(command -v ccache)
 if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
     CCACHE_DIR=$(cd "$build/ccache" && pwd)
-    for compiler in arm-none-eabi-gcc riscv64-unknown-elf-gcc; do
+    for compiler in gcc cc clang arm-none-eabi-gcc arm-linux-gnueabihf-gcc riscv64-unknown-elf-gcc; do
         ln -sf "$ccache" "$CCACHE_DIR/bin/$compiler"
     done
     PATH=$CCACHE_DIR/bin:$PATH

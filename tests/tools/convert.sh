@@ -53,19 +53,23 @@ place_of() { # TO
 
 # Three compilers' warnings, then by the fourth a program of the converted file and the library, which has sanitizers.
 # The file names the fields that it sets, which C++ takes since C++20; its header is for older C++ too. The three take
-# each form of file once: what differs in numbers alone, and in how many rows an array has, has the same form. The
-# fourth takes all, and a number that does not fit is an error there.
+# each form of file once: what differs in numbers alone, and in how many rows an array has, has the same form; a file
+# of megabytes has that of others, with more meshes. The fourth takes all, and a number that does not fit is an error
+# there.
 checked=' ' # checksums of forms
 varyings_of() { # TO    what the compiler is told for it
     ! grep -q ZS_VARYINGS_TEXTURE_GLOSS "$1/m.h" || echo -DZS_VARYINGS_MAX=4
 }
 compile() { # TO PROGRAM.c
-    this=$(cat "$1/m.c" "$1/m.h" | sed 's/[0-9][0-9a-fx.]*/0/g; s/-0/0/g; s/"[^"]*"/""/g
-        s/{[ 0{},]*}/{ 0 }/g; s/0\(, 0\)*/0/g; /^ *\*/d; /^ *\/\*/d' | uniq | cksum | tr ' ' -)
-    case $checked in *" $this "*) ;; *) syntax "$1" ;; esac
-    checked="$checked$this "
-    gcc -std=c11 -O0 -c -Wall -Wextra -Wpedantic -Werror -Iheaders $(varyings_of "$1") "$1/m.c" -o "$1/m.o" \
-        >cc.log 2>&1 &&
+    if [ "$(wc -c <"$1/m.c")" -lt 2000000 ]; then
+        this=$(cat "$1/m.c" "$1/m.h" | sed 's/[0-9][0-9a-fx.]*/0/g; s/-0/0/g; s/"[^"]*"/""/g
+            s/{[ 0{},]*}/{ 0 }/g; s/0\(, 0\)*/0/g; /^ *\*/d; /^ *\/\*/d' | uniq | cksum | tr ' ' -)
+        case $checked in *" $this "*) ;; *) syntax "$1" ;; esac
+        checked="$checked$this "
+    fi
+    { [ -f "$1/m.o" ] || # of the round trip
+        gcc -std=c11 -O0 -c -Wall -Wextra -Wpedantic -Werror -Iheaders $(varyings_of "$1") "$1/m.c" -o "$1/m.o" \
+            >cc.log 2>&1; } &&
         gcc -std=gnu11 -O0 -c -Wall -Wextra -Werror -DZS_VARYINGS_MAX=8 -I"$top/firmware/zstrip" -I"$1" \
             "$top/tests/tools/convert/$2.c" -o "$1/$2.o" >cc.log 2>&1 &&
         gcc $SAN "$1/$2.o" "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 ||
@@ -82,11 +86,13 @@ syntax() { # TO
             -include "$1/m.h" /dev/null >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
     done
 }
+for_a_cortex_m() { # TO    to/arm.o, if it is not there from the round trip
+    [ -f "$1/arm.o" ] || arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c $(varyings_of "$1") \
+        -I"$top/firmware/zstrip" "$1/m.c" -o "$1/arm.o" || wrong "the Cortex-M compiler refuses it"
+}
 # What is printed as flash is what a Cortex-M's linker would take.
 same_flash() { # TO
-    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -c $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" \
-        -o "$1/arm.o" ||
-        wrong "the Cortex-M compiler refuses it"
+    for_a_cortex_m "$1"
     linked=$(arm-none-eabi-nm -S --defined-only "$1/arm.o" |
         awk 'function hex(s,  i, n) {
                  for (i = 1; i <= length(s); i++) n = 16 * n + index("123456789abcdef", substr(s, i, 1))
@@ -198,8 +204,7 @@ one_road() { # NAME INPUT OPTION...    options of render and convert alike
     "$build/zsim" render "$@" $camera --strip 20 --out "$road/o.png" --stats "$road/o.json" >stdout.render 2>&1
     look json "$road/o.json" rejected_facing
     is "triangles that no cluster left out" "$seen" "$facing"
-    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c $(varyings_of "$road") \
-        -I"$top/firmware/zstrip" "$road/m.c" -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
+    for_a_cortex_m "$road"
     linked=$(arm-none-eabi-size -A "$road/arm.o" | awk '/^\.(text|rodata|data|bss)/ { sum += $2 } END { print sum }')
     "$build/zsim" budget "$@" --csv >stdout 2>stderr || wrong "$(cat stderr)"
     is "scene data of zsim budget" "$(awk -F, '$1 == "flash_data" { print $2 }' stdout)" "$linked"
@@ -210,7 +215,7 @@ one_road() { # NAME INPUT OPTION...    options of render and convert alike
 ./make torus 48 24 4 - >torus.obj
 printf 'newmtl skin\nmap_Kd photo.png\n' >torus.mtl
 ./make torus 48 24 4 torus.mtl >skinned.obj
-./make torus 400 200 1 - >large.obj
+./make torus 330 200 1 - >large.obj # more vertices than an index of 16 bits can name
 ./make teapot >teapot.obj
 ./make soup 300 5 >soup.obj
 ./make boxes 3 2 >boxes3.obj
@@ -343,8 +348,7 @@ same_colours many_materials gltf/balls.gltf textured
 holds many_materials/m.c '4 meshes, 4 materials'
 round_trip large_in_parts large.obj
 holds stdout '2 meshes, 1 material'
-case $name in large_in_parts) above "vertices" "$(awk '/triangles,/ { print $3 }' stdout)" 79999 ;; esac
-rm -f large_in_parts/m.o large_in_parts/arm.o
+case $name in large_in_parts) above "vertices" "$(awk '/triangles,/ { print $3 }' stdout)" 65999 ;; esac
 
 begin exact_coordinates_are_exact
 convert exact boxes300.obj
@@ -363,6 +367,7 @@ one_road obj_smooth torus.obj
 one_road obj_textured skinned.obj
 one_road obj_precise torus.obj --precise
 one_road obj_large_in_parts large.obj
+rm -f large_in_parts/m.o large_in_parts/arm.o
 one_road gltf gltf/balls.gltf
 gltf=$before
 glb_of gltf/balls.gltf gltf/ball.bin >gltf/balls.glb

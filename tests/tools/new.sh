@@ -2,10 +2,6 @@
 # `zsim new`: projects that build, draw and pass their own test, away from this tree; bad input leaves nothing behind.
 # Usage: tests/tools/new.sh ZSIM WORK BUILD     from the repository's top; BUILD/pico has the emulator, if it was set up
 . tests/tools/zsim.sh
-if command -v ccache >/dev/null; then # five projects compile the same
-    mkdir ccache && ln -s "$(command -v ccache)" ccache/gcc
-    export PATH="$work/ccache:$PATH" CCACHE_NOHASHDIR=1
-fi
 case $3 in /*) build=$3 ;; *) build=$top/$3 ;; esac
 
 cat >box.obj <<'END'

@@ -25,9 +25,7 @@ zs=$work/zstrip-$version
 grep -rlF "$top" "$zs" >paths.txt
 verdict package_names_no_path_of_this_machine paths.txt
 CC="gcc -std=c11 -O1 -Wall -Wextra -Werror"
-if command -v ccache >/dev/null; then
-    export CMAKE_C_COMPILER_LAUNCHER=ccache # the library is built seven times
-fi
+quiet=-DCMAKE_RULE_MESSAGES=OFF # a line for each object is a process for each
 
 # ---- CMake -------------------------------------------------------------------------------------------------------
 consumer() { # FOLDER, the lines that find zstrip
@@ -44,7 +42,7 @@ cp -r "$here/stubs" .
 built() { # NAME FOLDER CMAKE-OPTIONS...    and draws
     of=$1 folder=$2
     shift 2
-    { cmake -S "$folder" -B "$folder/build" "$@" && cmake --build "$folder/build" -j2 &&
+    { cmake -S "$folder" -B "$folder/build" $quiet "$@" && cmake --build "$folder/build" -j2 &&
         "$folder/build/consumer" "$folder/got.bin" && cmp want.bin "$folder/got.bin"; } >"$folder.log" 2>&1 &&
         : >"$folder.log"
     verdict "$of" "$folder.log"
@@ -52,18 +50,18 @@ built() { # NAME FOLDER CMAKE-OPTIONS...    and draws
 consumer added <<END
 add_subdirectory("$zs" zstrip)
 END
-cmake -S added -B added/build >added.log 2>&1 && cmake --build added/build -j2 >>added.log 2>&1 &&
+cmake -S added -B added/build $quiet >added.log 2>&1 && cmake --build added/build -j2 >>added.log 2>&1 &&
     added/build/consumer want.bin && : >added.log
 verdict package_cmake_add_subdirectory added.log
 [ "$(od -An -v -tx2 -w2 want.bin | sort -u | wc -l)" -ge 3 ] || bad package_picture 'no cube can be seen'
 lib="$work/added/build/zstrip/libzstrip.a" panel="$work/added/build/zstrip/libzstrip_panel.a"
 consumer fetched <<END
 include(FetchContent)
-FetchContent_Declare(zstrip URL "$work/zstrip-$version.tar.gz")
+FetchContent_Declare(zstrip URL "$work/zstrip-$version.tar.gz" SOURCE_DIR "$zs")
 FetchContent_MakeAvailable(zstrip)
 END
 built package_cmake_fetchcontent fetched
-{ cmake -S "$zs" -B installing -DCMAKE_INSTALL_PREFIX="$work/root" -DZSTRIP_VARYINGS_MAX=8 &&
+{ cmake -S "$zs" -B installing $quiet -DCMAKE_INSTALL_PREFIX="$work/root" -DZSTRIP_VARYINGS_MAX=8 &&
     cmake --build installing -j2 && cmake --install installing; } >install.log 2>&1 && : >install.log
 verdict package_cmake_installs install.log
 mv root moved
