@@ -32,6 +32,7 @@ TEST_NOTE := $(call note,$(B)/test/cc,$(TEST_CC))
 # The oracle, the judge, is not slowed down by AddressSanitizer.
 $(B)/test/tests/lib/oracle.o: override SAN := $(if $(SAN),$(SAN_QUICK))
 $(B)/test/tests/%.o $(B)/test/sim/%.o: TEST_O = -Og
+$(B)/test/tests/lib/picture.o $(B)/test/tests/lib/easel.o: TEST_O = -O2 # loops over pixels of every test
 $(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(TEST_CC) $(DEP) -c $< -o $@

@@ -23,6 +23,7 @@
 //
 // SPDX-License-Identifier: MIT
 import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import * as fs from 'node:fs';
 import * as path from 'node:path';
 
@@ -31,6 +32,19 @@ const OUTSIDE = new Set(OUTSIDE_LIST.split(','));
 const ARM = process.env.ARM || 'arm-none-eabi-';
 const run = (tool, ...args) => execFileSync(ARM + tool, args, { encoding: 'latin1', maxBuffer: 1 << 28,
     stdio: ['ignore', 'pipe', 'ignore'] }).split('\n');
+// The lines of what a tool says of an object that match. They are kept beside DIR by the object's bytes: programs that
+// differ in a few objects share the others.
+const KEPT = path.join(DIR, '..', 'stack-kept');
+fs.mkdirSync(KEPT, { recursive: true });
+function lines_of(object, wanted, tool, option) {
+    const kept = path.join(KEPT, `${createHash('sha1').update(fs.readFileSync(object)).digest('hex')}.${tool}`);
+    if (!fs.existsSync(kept)) {
+        const lines = run(tool, option, object).filter((line) => wanted.test(line));
+        fs.writeFileSync(`${kept}.${process.pid}`, lines.join('\n'), 'latin1');
+        fs.renameSync(`${kept}.${process.pid}`, kept); // whole, whoever else writes it
+    }
+    return fs.readFileSync(kept, 'latin1').split('\n');
+}
 
 let failed = false;
 const fail = (what, why) => {
@@ -49,7 +63,7 @@ const add = (map, key, value) => {
 function debug_entries(object) {
     const at = new Map(), open = [];
     let entry;
-    for (const line of run('readelf', '--debug-dump=info', object)) {
+    for (const line of lines_of(object, /DW_TAG_|DW_AT_/, 'readelf', '--debug-dump=info')) {
         let m = /^ <(\d+)><([0-9a-f]+)>: Abbrev Number: \d+ \(DW_TAG_(\w+)\)/.exec(line);
         if (m) {
             const depth = Number(m[1]);
@@ -158,7 +172,7 @@ for (const unit of units) {
             add(calls, title(m[1]), title(m[2]));
     }
     let section = '';
-    for (const line of run('objdump', '-r', unit.object)) {
+    for (const line of lines_of(unit.object, /./, 'objdump', '-r')) {
         section = /^RELOCATION RECORDS FOR \[(.*)\]/.exec(line)?.[1] ?? section;
         const m = /^([0-9a-f]+) (R_ARM_\w+) +([^.\s][^\s+]*)/.exec(line);
         const from = /^\.text\.(?:unlikely\.|hot\.)?(.*)$/.exec(section)?.[1];

@@ -67,13 +67,13 @@ static int copy_submit(void *ctx, const struct zs_strip *s)
     if (c->busy || s->y != c->rows || s->x != 0 || s->w != p->w || s->y + s->h > p->h ||
         s->n_bytes != (uint32_t)s->w * s->h * 2u)
         return -1000;
-    for (int32_t i = 0; i < s->w * s->h; i++) {
-        p->color[s->y * p->w + i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
-        if (!s->depth)
-            continue;
-        p->key[s->y * p->w + i] = s->depth[i];
+    const int32_t n = s->w * s->h, first = s->y * p->w;
+    for (int32_t i = 0; i < n; i++)
+        p->color[first + i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
+    for (int32_t i = 0; s->depth && i < n; i++)
         p->covered += s->depth[i] != ZS_DEPTH_CLEAR;
-    }
+    if (s->depth)
+        memcpy(p->key + first, s->depth, (size_t)n * sizeof *s->depth);
     c->rows += s->h;
     c->busy = 1;
     c->before = sim_strip_sum(s);
@@ -176,6 +176,9 @@ int picture_same(const struct picture *a, const struct picture *b, const char *n
                 a->w, a->h, b->w, b->h);
         return 0;
     }
+    size_t n = (size_t)a->w * (size_t)a->h;
+    if (!memcmp(a->color, b->color, n * sizeof *a->color) && !memcmp(a->key, b->key, n * sizeof *a->key))
+        return 1;
     for (int32_t i = 0; i < a->w * a->h; i++)
         if (a->color[i] != b->color[i] || a->key[i] != b->key[i]) {
             fprintf(stderr, "wrong: %s: (%d, %d) is colour %04x key %u, and %04x %u\n", name,
