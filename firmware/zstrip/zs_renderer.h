@@ -48,8 +48,19 @@ struct zs_reflection {
 /* The camera of a pass in camera units, 2^shift for each world unit. The shift is chosen so that
  * everything in view is below 2^30. */
 struct zs_view {
-    int32_t rot[9];        /* q2_30: world to camera; its rows: x * ratio, -y * ratio, distance */
-    int32_t pos[3];        /* the eye, world units */
+    uint8_t perspective, screen_linear; /* flags; screen_linear: keys are linear on the screen */
+    uint8_t piece_shift;   /* keys are linear on a triangle if (piece_base - d) >> piece_shift is
+                              equal for its three vertices; 0: there is no such test */
+    uint8_t pixelwise;     /* 1: the mapping computes every pixel's key by itself */
+    uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
+    uint8_t key_fraction;  /* float: key_mantissa + 16 */
+    uint8_t key_common;    /* float: number of octaves from octave 2 to the one that ends at near
+                              (depth/float.c) */
+    uint16_t width, height; /* px: size of the viewport */
+    uint16_t x, y;         /* px: its corner in the frame. Columns count from the viewport's left
+                              side, rows from the frame's top */
+    const struct zs_depth *depth; /* the depth mapping */
+    const struct zs_reflection *mirror; /* NULL: the picture is not one in a mirror */
     int32_t z_near, z_far; /* camera units */
     int32_t cx, cy;        /* q24_8 px, the viewport's centre: cx from the viewport's left side, cy
                               from the frame's top */
@@ -58,34 +69,23 @@ struct zs_view {
                               x' / 2^scale_bits */
     int32_t snap;          /* 8 - sub-pixel bits */
     int32_t ratio;         /* q2_30, (0, 1]: focal length / 2^scale_bits */
-    int32_t side[2][2];    /* q2_30: unit normals of the side planes as (x, z), (y, z) */
-    const struct zs_depth *depth; /* the depth mapping */
-    const struct zs_reflection *mirror; /* NULL: the picture is not one in a mirror */
-    uint16_t width, height; /* px: size of the viewport */
-    uint16_t x, y;         /* px: its corner in the frame. Columns count from the viewport's left
-                              side, rows from the frame's top */
-    uint64_t guard;        /* a vertex with |x'| << scale_bits above guard * z is outside the guard
-                              band */
+    uint32_t piece_base;
+    uint32_t key_top;      /* (B - 1) in uq16_16 */
     uint32_t key_mul;      /* the mapping's factor, 31 or 32 bits, ... */
     int32_t key_shift;     /* ... and its shift */
-    uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key at z = infinity */
-    uint32_t key_top;      /* (B - 1) in uq16_16 */
     uint32_t key_slow, key_known; /* bound without a division: for vertices with keys of at most
                               key_known that differ by D <= key_slow, 1/z changes by at most D /
                               key_slow of the least 1/z. Both 0: the mapping has no such bound */
-    uint32_t piece_base;   /* keys are linear on a triangle if (piece_base - d) >> piece_shift is
-                              equal for its three vertices; ... */
-    uint8_t piece_shift;   /* ... 0: there is no such test */
-    uint8_t perspective, screen_linear; /* flags; screen_linear: keys are linear on the screen */
-    uint8_t pixelwise;     /* 1: the mapping computes every pixel's key by itself */
-    uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
-    uint8_t key_fraction;  /* float: key_mantissa + 16 */
-    uint8_t key_common;    /* float: number of octaves from octave 2 to the one that ends at near
-                              (depth/float.c) */
+    uint64_t guard;        /* a vertex with |x'| << scale_bits above guard * z is outside the guard
+                              band */
+    uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key at z = infinity */
     int32_t key_lz;        /* float: with lz leading zeros of z, a vertex is in octave 2 + key_lz +
                               lz, or one less */
     uint32_t key_code;     /* float: 2^b - 2^key_mantissa in uq16_16: octave 2's linear keys,
                               extrapolated to r = near / z = 0 */
+    int32_t rot[9];        /* q2_30: world to camera; its rows: x * ratio, -y * ratio, distance */
+    int32_t pos[3];        /* the eye, world units */
+    int32_t side[2][2];    /* q2_30: unit normals of the side planes as (x, z), (y, z) */
 };
 
 /* The transform of an instance to camera units: c = (m . p + t) / 2^shift, floor. This is the
@@ -165,72 +165,75 @@ struct zs_pass_memory;
 struct zs_pass_kernel;
 
 /* The fields in frequent use come first: a Cortex-M0 reaches 31 bytes, 31 half-words and 31 words
- * behind a pointer with one instruction. */
+ * behind a pointer with one instruction, any Cortex-M with one of 16 bits. Hooks of accelerators
+ * are NULL where the core alone works. */
 struct zs_renderer {
     struct zs_config config; /* a copy: strip_h <= height; buffers, subpixel_bits and depth_bits are
                                 not 0 */
-    int (*edges)(struct zs_job *job, int32_t row); /* hooks of accelerators; NULL: core only */
-    const struct zs_fast_touch *touch;
-    const struct zs_fast_tiles *tiles;
-    const struct zs_fast_batch *batch;
-    const struct zs_fast_clusters *clusters_hooks;
     uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
     uint8_t direct;             /* 1: vertex v of the current instance is vert[vert_base + v] */
     uint8_t counting;           /* 1: first traversal of the frame; only it counts triangles */
-    uint8_t ready;              /* 1: zs_init succeeded */
-    uint8_t large;              /* 1: some triangle of the frame is at least two tiles wide, and
-                                   bounds of tiles exist */
     uint8_t untouched;          /* first touch: which pixels of the current strip are uncleared:
                                    none, all, or some (fast/first_touch.c) */
     uint16_t n_strips, strip;   /* strip: the next one to draw */
     uint16_t band_end;          /* the bins of strips below this number are complete; those of
                                    others hold the number of triangles that begin there ... */
     uint16_t band_begun;        /* ... as far as it is known. band_end when this walk began */
+    uint16_t walk_x, walk_end;  /* columns [walk_x, walk_end) of the viewport: where the current
+                                   instance is drawn */
+    uint16_t walk_y, walk_y_end; /* rows of the frame in which the current pass is drawn */
+    uint16_t walk_least, walk_most; /* union of walk_x and walk_end of all binned instances */
+    uint16_t n_instances;       /* of all passes */
+    uint16_t first;             /* the number of the current pass's first instance */
+    uint16_t active;            /* list of triangles that continue from the strip above */
+    uint16_t window[2];         /* columns [0] .. [1] - 1 of the current strip are drawn */
+    uint8_t ready;              /* 1: zs_init succeeded */
+    uint8_t large;              /* 1: some triangle of the frame is at least two tiles wide, and
+                                   bounds of tiles exist */
+    uint32_t n_tris, n_verts;   /* records in use in the pools */
+    uint32_t vert_base;         /* pool vertices below this belong to earlier instances */
+    uint16_t *color[2];      /* [strip_h][width], most significant byte first: the framebuffers of
+                                the next strip and of the one given out last; with one buffer they
+                                are the same */
+    uint16_t *depth;         /* [strip_h][width]: depth buffer; NULL: no depth memory */
+    uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL;
+                                below the band: how many begin there */
+    struct zs_tri *tri;      /* [max_tris] */
+    struct zs_vertex *vert;  /* [max_verts] */
+    uint16_t *vert_src;      /* [max_verts]: the vertex's number in its mesh */
+    uint16_t *attr;          /* [max_verts][varyings] */
+    const struct zs_scene *scene; /* of the current pass, borrowed from begin to end; NULL: no frame
+                                     is open */
+    const struct zs_pass_kernel *passes; /* functions for frames in passes; NULL: one pass that is
+                                            the whole frame */
+    const struct zs_track_kernel *track; /* zs_damage_track; NULL: off, every strip is drawn */
+    uint16_t *vert_map;      /* [max_verts]: vertex number modulo a power of two -> index in the
+                                pool; an entry may be stale, so vert_src is compared */
+    uint32_t strip_mul;
+    int (*edges)(struct zs_job *job, int32_t row);
+    const struct zs_fast_touch *touch;
+    const struct zs_fast_tiles *tiles;
+    const struct zs_fast_batch *batch;
+    const struct zs_fast_clusters *clusters_hooks;
+    uint32_t vert_packed;       /* pool vertices that remained after the last packing (zs_bin_pack):
+                                   binned triangles use all of them ... */
+    uint32_t tris_packed;       /* ... and triangles that there were then */
+    void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                 uint32_t step); /* the usual zs_job.span */
+    uint16_t *bound;         /* [n_strips][ZS_TILES(width)]: upper bound of the final keys in a tile
+                                (fast/tiles.c) */
     uint8_t batched;            /* 1: the current instance is binned in batches (fast/batch.c) */
     uint8_t part_log2, part_down; /* parts (fast/parts.c): log2 of their triangles, and of the rows
                                    in a unit of their rows */
     uint8_t slow_first;         /* 1: the next triangle is a slow case that filled a pool when its
                                    batch's vertices were gathered; it is tried by itself */
     uint8_t noting;             /* 1: a part's rows are noted after the first walk */
+    uint8_t refit;              /* 1: this frame disabled an accelerator; the next one enables it
+                                   again */
     uint16_t parts_tris;        /* records of the triangle pool that hold their rows; 0: none */
     uint16_t part, part_end;    /* of the current instance */
-    uint16_t walk_x, walk_end;  /* columns [walk_x, walk_end) of the viewport: where the current
-                                   instance is drawn */
-    uint16_t walk_y, walk_y_end; /* rows of the frame in which the current pass is drawn */
-    uint16_t walk_least, walk_most; /* union of walk_x and walk_end of all binned instances */
-    uint16_t active;            /* list of triangles that continue from the strip above */
-    uint32_t n_tris, n_verts;   /* records in use in the pools */
-    uint32_t vert_base;         /* pool vertices below this belong to earlier instances */
-    uint32_t vert_packed;       /* pool vertices that remained after the last packing (zs_bin_pack):
-                                   binned triangles use all of them ... */
-    uint32_t tris_packed;       /* ... and triangles that there were then */
-    uint32_t strip_mul;
-    uint16_t *color[2];      /* [strip_h][width], most significant byte first: the framebuffers of
-                                the next strip and of the one given out last; with one buffer they
-                                are the same */
-    uint16_t *depth;         /* [strip_h][width]: depth buffer; NULL: no depth memory */
-    uint16_t *bound;         /* [n_strips][ZS_TILES(width)]: upper bound of the final keys in a tile
-                                (fast/tiles.c) */
-    uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL;
-                                below the band: how many begin there */
-    struct zs_tri *tri;      /* [max_tris] */
-    struct zs_vertex *vert;  /* [max_verts] */
-    uint16_t *vert_src;      /* [max_verts]: the vertex's number in its mesh */
-    uint16_t *vert_map;      /* [max_verts]: vertex number modulo a power of two -> index in the
-                                pool; an entry may be stale, so vert_src is compared */
-    uint16_t *attr;          /* [max_verts][varyings] */
-
-    const struct zs_scene *scene; /* of the current pass, borrowed from begin to end; NULL: no frame
-                                     is open */
-    const struct zs_pass_kernel *passes; /* functions for frames in passes; NULL: one pass that is
-                                            the whole frame */
-    struct zs_pass_memory *pass_memory;  /* of all passes, the caller's; [0] holds their list */
-    uint16_t n_instances; /* of all passes */
-    uint16_t first;       /* the number of the current pass's first instance */
-    void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                 uint32_t step); /* the usual zs_job.span */
-    void *method_state;   /* the method's, while it draws a strip */
-    uint8_t refit;        /* 1: this frame disabled an accelerator; the next one enables it again */
+    void *method_state;         /* the method's, while it draws a strip */
+    struct zs_pass_memory *pass_memory; /* of all passes, the caller's; [0] holds their list */
     struct zs_xform xform;
     struct zs_shading shading; /* of the current instance */
     struct zs_view view;
@@ -241,15 +244,14 @@ struct zs_renderer {
     const struct zs_strip_hash_kernel *strip_hash;
     struct zs_strip_hashes *sums; /* [n_strips][columns] hashes of what the panel shows; 0: not
                                      known */
-    uint16_t draw_end;            /* no strip from this one on is dirty */
-    const struct zs_track_kernel *track; /* zs_damage_track; NULL: off, every strip is drawn */
     uint32_t *track_memory;       /* the caller's: the frame's hash, the records of the instances,
                                      and then track_due */
     uint32_t *track_due;          /* [n_strips]: dirty columns [first, end) as first + end * 2^16;
                                      0: the strip is clean */
+    uint16_t draw_end;            /* no strip from this one on is dirty */
     uint16_t track_instances;     /* number of records */
-    uint16_t window[2];           /* columns [0] .. [1] - 1 of the current strip are drawn */
     uint8_t track_columns;        /* zs_damage_columns; 0: draw all columns of a dirty strip */
+    uint8_t by_clusters;          /* 1: clusters of the current instance may be culled */
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and
                                      keys; the others are uncleared (fast/first_touch.c) */
     int16_t was[2];               /* the same of the current row, before the current triangle */
@@ -257,7 +259,6 @@ struct zs_renderer {
     uint16_t edge_of[4];          /* edge[] is for rows [edge_of[0], edge_of[1]) and columns
                                      [edge_of[2], edge_of[3]) */
     struct zs_edge edge[4];
-    uint8_t by_clusters;          /* 1: clusters of the current instance may be culled */
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles. The last one is
                                      cover[!cover_next], if cover_known */
