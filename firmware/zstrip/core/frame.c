@@ -91,12 +91,14 @@ static ZS_RARE void strip_divisor(struct zs_renderer *r)
  * work only in a frame of one pass, whose method is the depth buffer. */
 static ZS_RARE void accelerators(struct zs_renderer *r)
 {
+    if (ZS_NO_FAST)
+        return;
     r->touch = 0;
     r->tiles = 0;
     r->batch = 0;
     r->clusters_hooks = 0;
     r->edges = 0;
-    for (const struct zs_fast *const *at = ZS_IF_FAST(r->config.fast); at && *at; at++) {
+    for (const struct zs_fast *const *at = r->config.fast; at && *at; at++) {
         const struct zs_fast *fast = *at;
         r->touch = r->touch ? r->touch : fast->touch;
         r->tiles = r->tiles ? r->tiles : fast->tiles;

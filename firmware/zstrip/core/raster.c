@@ -310,9 +310,9 @@ static void job_begin(struct zs_job *job, struct zs_renderer *r)
     if (!ZS_NO_FAST) {
         job->fast = 0;
         job->texel = 0;
+        r->lit.of = 0;
     }
     job->key.base = job->key.gx = job->key.gy = 0; /* for a pass without depth memory */
-    r->lit.of = 0;
 }
 
 void zs_raster_strip(struct zs_renderer *r)

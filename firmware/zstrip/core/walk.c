@@ -22,10 +22,10 @@
 struct cursor {
     uint32_t instance, tri, piece;
     uint8_t open;            /* 1: the instance's triangles are being binned; tri is the next one */
-    uint32_t outcome[ZS_OUTCOMES]; /* the instance's triangles so far, counted by outcome */
+    uint32_t outcome[ZS_OUTCOMES]; /* the walk's triangles so far, counted by outcome */
 };
 
-/* Add an instance's counts to the statistics. */
+/* Add the counts of the frame's first walk to the statistics. */
 static ZS_RARE void count(struct zs_renderer *r, const uint32_t outcome[ZS_OUTCOMES])
 {
 #define COUNTS(outcome_, field) [outcome_] = offsetof(struct zs_stats, field)
@@ -61,7 +61,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     }
     if (zs_cull_walk(&b, r, number))
         return 0;
-    if (!in->material->shader->opaque || (state && state->func == ZS_DEPTH_ALWAYS)) {
+    if (ZS_IF_FAST(!in->material->shader->opaque || (state && state->func == ZS_DEPTH_ALWAYS))) {
         r->tiles = 0; /* what it covers may be seen; the keys that it writes have no bound */
         r->large = 0;
         r->refit = 1;
@@ -81,45 +81,42 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     return 1;
 }
 
-/* Find the next run of triangles of the current instance, [r->clusters.from, r->clusters.end).
+/* Go to the next run of triangles of the current instance, [r->clusters.from, r->clusters.end).
  * Return 0 if there is none. */
-static ZS_RARE int next_run(struct zs_renderer *r)
+static ZS_RARE int next_run(struct zs_renderer *r, struct cursor *at)
 {
-    if (ZS_IF_FAST(r->by_clusters))
-        return r->clusters_hooks->run(r);
-    r->clusters.from = r->clusters.end;
-    r->clusters.end = zs_primitives_of(r->xform.instance);
-    return r->clusters.from < r->clusters.end;
+    int some;
+    if (ZS_IF_FAST(r->by_clusters)) {
+        some = r->clusters_hooks->run(r);
+    } else {
+        r->clusters.from = r->clusters.end;
+        r->clusters.end = zs_primitives_of(r->xform.instance);
+        some = r->clusters.from < r->clusters.end;
+    }
+    at->tri = r->clusters.from;
+    return some;
 }
 
 /* Open the cursor's instance and count it. Return 0 if it has nothing to bin. */
 static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 {
-    const uint32_t n = zs_primitives_of(zs_instance_of(r, at->instance));
+    const uint32_t n = r->counting ? zs_primitives_of(zs_instance_of(r, at->instance)) : 0;
     if (ZS_IF_FAST(r->parts_tris) && r->batch->beside(r, at->instance))
         return 0;
-    const int seen = instance_open(r, at->instance);
-    if (r->counting) {
-        r->stats.instances_in++;
-        r->stats.tris_in += n;
-        if (!seen) {
-            r->stats.instances_culled++;
-            r->stats.tris_frustum += n;
-        }
-    }
-    if (!seen)
+    r->stats.instances_in += r->counting;
+    r->stats.tris_in += n;
+    if (!instance_open(r, at->instance)) {
+        r->stats.instances_culled += r->counting;
+        r->stats.tris_frustum += n;
         return 0;
-    for (uint32_t k = 0; k < ZS_OUTCOMES; k++)
-        at->outcome[k] = 0;
+    }
     r->vert_base = r->n_verts;
-    r->direct = r->batched = 0;
+    if (!ZS_NO_FAST)
+        r->direct = r->batched = 0;
     if (ZS_IF_FAST(r->batch) && !r->xform.instance->material->primitive)
         r->batch->open(r);
     at->piece = 0;
-    if (!next_run(r))
-        return 0;
-    at->tri = r->clusters.from;
-    return 1;
+    return next_run(r, at);
 }
 
 /* Bin the open instance's triangles from the cursor on. Return 0 if a pool is full. */
@@ -139,24 +136,19 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
                 return 0;
             at->outcome[outcome]++;
         }
-        if (!next_run(r))
-            break;
-        at->tri = r->clusters.from;
-    } while (1);
-    count(r, at->outcome);
+    } while (next_run(r, at));
     return 1;
 }
 
 ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
 {
-    struct cursor at;
-    at.open = 0;
+    struct cursor at = { 0 };
     zs_bin_band(r, band_end);
     r->stats.passes++;
     r->walk_most = 0;
     r->walk_least = r->config.width;
     zs_walk_region(r);
-    for (at.instance = 0; at.instance < r->n_instances;) {
+    while (at.instance < r->n_instances) {
         if (r->passes)
             r->passes->use(r, at.instance);
         if (!at.open)
@@ -173,6 +165,7 @@ ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
         at.open = 0;
         at.instance++;
     }
+    count(r, at.outcome);
     zs_bin_count(r);
     r->counting = 0;
 }
