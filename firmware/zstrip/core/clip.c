@@ -54,7 +54,7 @@ static uint32_t quotient(const struct cut *cut, uint64_t n)
 }
 
 /* Return a + (b - a) * num / den, nearest. |b - a| < 2^31.1 */
-static int32_t between(const struct cut *cut, int32_t a, int32_t b)
+static ZS_SHARED int32_t between(const struct cut *cut, int32_t a, int32_t b)
 {
     const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
     const uint32_t part = quotient(cut,

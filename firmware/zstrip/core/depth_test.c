@@ -25,13 +25,15 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
         return state->bias;
     for (int k = 0; k < 3; k++)
         key[k] = depth->key ? depth->key(&job->r->view, job->v[k]->d) : job->v[k]->d;
-    const int64_t d1 = key[1] - key[0], d2 = key[2] - key[0]; /* |.| < 2^32 */
     /* the larger gradient, |256 n / area| in 2^-16 buckets a pixel; at most 2^46 (slivers) */
-    const int64_t nx = zs_size64((int64_t)zs_plane_numerator((uint64_t)d1, (uint64_t)d2, g->dy));
-    const int64_t ny = zs_size64((int64_t)zs_plane_numerator((uint64_t)d1, (uint64_t)d2, g->dx));
-    const uint64_t q = ((uint64_t)(nx > ny ? nx : ny) << 8) / (uint64_t)g->area; /* < 2^55 */
-    const int64_t steep = q >> 46 ? (int64_t)1 << 46 : (int64_t)q;
-    const int64_t slope = zs_round_shift(state->slope_bias * steep, 24); /* < 2^37 */
+    int64_t n = 0;
+    for (int k = 0; k < 2; k++) { /* differences of keys: |.| < 2^32 */
+        const int64_t one = zs_size64((int64_t)zs_plane_numerator(
+            (uint64_t)(key[1] - key[0]), (uint64_t)(key[2] - key[0]), k ? g->dx : g->dy));
+        n = one > n ? one : n;
+    }
+    const int64_t steep = zs_held64((n << 8) / g->area, (int64_t)1 << 46); /* of < 2^55 */
+    const int64_t slope = zs_round_shift(state->slope_bias * steep, 24);   /* < 2^37 */
     return (int32_t)zs_held64(state->bias + slope, BIAS_MAX);
 }
 

@@ -23,7 +23,7 @@
  * inlined, because that is rare. At most 2^14. */
 static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t part)
 {
-    if (dy < EDGE32_MAX)
+    if (!ZS_FOR_SIZE && dy < EDGE32_MAX)
         return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE); /* < 2^23 + 2^30 */
     /* < 2^44.1 */
     return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE));
@@ -40,7 +40,7 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y; /* |dx|, dy < 2^22 */
     int32_t q = dx < 0 ? -1 : 0;
-    if ((uint32_t)(dx + dy) > (uint32_t)dy * 2u) { /* not steep: |dx| > dy */
+    if (ZS_FOR_SIZE || (uint32_t)(dx + dy) > (uint32_t)dy * 2u) { /* not steep: |dx| > dy */
         q = dx / dy;
         q -= dx < q * dy;
     }

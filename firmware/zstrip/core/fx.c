@@ -25,7 +25,7 @@ int zs_clz64(uint64_t v)
 
 /* ---- Shifts ---------------------------------------------------------------------------------- */
 
-ZS_RARE int64_t zs_round_shift(int64_t v, int n)
+ZS_SHARED ZS_RARE int64_t zs_round_shift(int64_t v, int n)
 {
     return n ? ((v >> (n - 1)) + 1) >> 1 : v;
 }

@@ -48,14 +48,12 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
     g->dx2 = dx2;
     g->dy1 = dy1;
     g->dy2 = dy2;
-    if (!zs_tiny(dx1, dx2, dy1, dy2)) {
+    const int tiny = zs_tiny(dx1, dx2, dy1, dy2);
+    if (ZS_FOR_SIZE || !tiny)
         g->area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1); /* < 2^45 */
-        g->tiny = 0;
-        return;
-    }
-    const int32_t area = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
-    g->area = (uint32_t)area;
-    g->tiny = area >= ZS_TINY_AREA;
+    else
+        g->area = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
+    g->tiny = tiny && (int32_t)g->area >= ZS_TINY_AREA;
 }
 
 /* Return 1 if width + height <= 256 px. */

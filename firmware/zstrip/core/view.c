@@ -124,13 +124,9 @@ static int scale_set(struct zs_view *view, const struct zs_camera *camera)
 int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length)
 {
     const int32_t n = view->shift - 16;
-    const int64_t limit = n >= 0 ? ((int64_t)1 << 30) >> n : INT64_MAX;
-    if (length > limit)
-        return 1 << 30; /* farther than anything in view */
-    if (length < -limit)
-        return -(1 << 30);
-    const int64_t units = zs_scale2(length, n);
-    return units > 1 << 30 ? 1 << 30 : units < -(1 << 30) ? -(1 << 30) : (int32_t)units;
+    const int64_t most = 1 << 30; /* farther than anything in view */
+    const int64_t near_by = zs_held64(length, n >= 0 ? most >> n : INT64_MAX);
+    return (int32_t)zs_held64(zs_scale2(near_by, n), most);
 }
 
 int zs_view_units(struct zs_view *view, const struct zs_camera *camera, int64_t reach)

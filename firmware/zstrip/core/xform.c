@@ -28,7 +28,7 @@
  * With a shift of at most 15, t_low is in [0, 2^15); with a larger one, in [-2^28, 2^28). */
 static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
 {
-    const int64_t half = ((int64_t)1 << shift) >> 1;
+    const int32_t half = (1 << shift) >> 1;
 #if ZS_ROW_WIDE
     for (int j = 0; j < 3; j++)
         row[j] = m[j];
@@ -45,7 +45,7 @@ static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64
     }
     const int32_t t_high = (int32_t)((t + half + (shift > s ? half : 0)) >> shift);
     row[ZS_ROW_T_HIGH] = t_high;
-    row[ZS_ROW_T_LOW] = (int32_t)(t + half - t_high * ((int64_t)1 << shift));
+    row[ZS_ROW_T_LOW] = (int32_t)(t + half - zs_mul_ss(t_high, 1 << shift));
     row[ZS_ROW_S] = s;
     row[ZS_ROW_S2] = shift - s;
 #endif
@@ -114,7 +114,7 @@ int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3],
         m[j] = row[ZS_ROW_HIGH + j] * (1 << s) + row[ZS_ROW_LOW + j];
 #endif
     for (int j = 0; j < 3; j++)
-        sum += zs_mul_ss(m[j], pos[j] * 256 + pos_lo[j]); /* <= 2^53 */
+        sum += zs_mul_ss(m[j], pos_lo ? pos[j] * 256 + pos_lo[j] : pos[j]); /* <= 2^53 */
     return (int32_t)(sum >> shift);
 }
 
@@ -122,19 +122,14 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
 {
     const struct zs_mesh *mesh = xf->instance->mesh;
     const struct zs_shader *shader = xf->instance->material->shader;
-    const int16_t *p = mesh->pos[v];
     const int32_t *row = xf->row;
-    if (shader->place) {
+    if (shader->place)
         shader->place(xf, v, out);
-        return;
-    }
-    if (!ZS_FOR_SIZE && !mesh->pos_lo) {
-        zs_rows(row, p, out->c, 1);
-        return;
-    }
-    for (int k = 0; k < 3; k++, row += ZS_ROW_WORDS)
-        out->c[k] = mesh->pos_lo ? zs_xform_fine(row, p, mesh->pos_lo[v])
-                                 : zs_row(row, p[0], p[1], p[2]);
+    else if (!ZS_FOR_SIZE && !mesh->pos_lo)
+        zs_rows(row, mesh->pos[v], out->c, 1);
+    else
+        for (int k = 0; k < 3; k++, row += ZS_ROW_WORDS)
+            out->c[k] = zs_xform_fine(row, mesh->pos[v], mesh->pos_lo ? mesh->pos_lo[v] : 0);
 }
 
 /* Return the largest |x'| or |y'| inside the guard band at distance z > 0. */

@@ -43,7 +43,8 @@ int zs_xform_project_at(const struct zs_renderer *r, struct zs_vertex *at);
 /* Transform and project vertex v of the current instance. A vertex with an outcode other than 0
  * gets d = ZS_D_OUT + outcode. */
 void zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out);
-/* One row of the transform, for a position in 1/256 steps, |p| <= 2^23. */
+/* One row of the transform, for a position in 1/256 steps, |p| <= 2^23; in whole steps, if pos_lo
+ * is NULL. */
 int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3],
                       const uint8_t pos_lo[3]);
 

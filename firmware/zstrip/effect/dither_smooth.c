@@ -43,7 +43,7 @@ static void fill(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t s
 /* Return the change for each pixel where a colour changes from c to next over `length` pixels. */
 static uint32_t step_of(uint32_t c, uint32_t next, int32_t length)
 {
-    return (uint32_t)(zs_mul_su((int32_t)(next - c), zs_one_over[length]) >> 32);
+    return (uint32_t)(zs_mul_su((int32_t)(next - c), zs_one_over(length)) >> 32);
 }
 
 static void run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1,

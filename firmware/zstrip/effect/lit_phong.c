@@ -245,7 +245,7 @@ static int block_start(struct block *b, const struct end *a, const struct end *e
     const uint32_t least = (1u << 28) + 256u;
     if (ae < (int32_t)least || a->vv < least || e->vv < least)
         return 0;
-    const uint32_t over = zs_one_over[length];
+    const uint32_t over = zs_one_over(length);
     b->by_l = (int32_t)(zs_mul_su(e->l - a->l, over) >> 32);
     b->by_h = (int32_t)(zs_mul_su(e->h - a->h, over) >> 32);
     b->l = a->l + b->by_l * skip;

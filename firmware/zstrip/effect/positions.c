@@ -16,6 +16,5 @@ void zs_positions_place(const struct zs_xform *xf, uint32_t v, struct zs_point *
     int16_t p[3];
     xf->instance->material->shader->position(&r->shading, v, p);
     for (int k = 0; k < 3; k++, row += ZS_ROW_WORDS)
-        out->c[k] = xf->instance->mesh->pos_lo ? zs_xform_fine(row, p, whole)
-                                               : zs_row(row, p[0], p[1], p[2]);
+        out->c[k] = zs_xform_fine(row, p, xf->instance->mesh->pos_lo ? whole : 0);
 }

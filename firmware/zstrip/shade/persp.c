@@ -8,7 +8,7 @@
 
 #define OVER(n) (UINT32_MAX / (n))
 
-const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1] = {
+const uint32_t zs_over_table[(1 << ZS_SUB_LOG2_MAX) + 1] = {
     0,        OVER(1),  OVER(2),  OVER(3),  OVER(4),  OVER(5),  OVER(6),  OVER(7),  OVER(8),
     OVER(9),  OVER(10), OVER(11), OVER(12), OVER(13), OVER(14), OVER(15), OVER(16), OVER(17),
     OVER(18), OVER(19), OVER(20), OVER(21), OVER(22), OVER(23), OVER(24), OVER(25), OVER(26),

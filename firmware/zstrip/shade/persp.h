@@ -42,12 +42,16 @@ static inline int zs_persp_slow(const struct zs_job *job, uint32_t *change)
     const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
     const uint32_t farthest = zs_maxu32(zs_maxu32(a, b), c);
     *change = farthest - zs_minu32(zs_minu32(a, b), c);
-    return farthest <= view->key_known && *change <= view->key_slow;
+    return !ZS_FOR_SIZE && farthest <= view->key_known && *change <= view->key_slow;
 }
 
-/* [n]: (2^32 - 1) / n, n <= 2^ZS_SUB_LOG2_MAX, for the last, shorter part of a scanline; [0] is 0.
- */
-extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
+/* Return (2^32 - 1) / n, 0 <= n <= 2^ZS_SUB_LOG2_MAX, for the last, shorter part of a scanline; 0
+ * for n = 0. */
+extern const uint32_t zs_over_table[(1 << ZS_SUB_LOG2_MAX) + 1];
+static inline uint32_t zs_one_over(int32_t n)
+{
+    return !ZS_FOR_SIZE ? zs_over_table[n] : n ? UINT32_MAX / (uint32_t)n : 0u;
+}
 
 /* Move a plane's base to column 0 of row 0, for zs_plane_at. */
 static inline void zs_plane_origin(const struct zs_geom *g, struct zs_plane *p)

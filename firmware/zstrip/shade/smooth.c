@@ -243,7 +243,7 @@ static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint3
     for (int k = 0; k < 3; k++) {
         const uint32_t up = k == 1 ? UP6 : UP5;
         const int32_t change = (int32_t)(next[k] - c[k]); /* |.| < 2^22 */
-        const int32_t by = (int32_t)(zs_mul_su(change, zs_one_over[length]) >> 32);
+        const int32_t by = (int32_t)(zs_mul_su(change, zs_one_over(length)) >> 32);
         at[k] = (c[k] + zs_wrap_mul((uint32_t)by, skip)) << up;
         step[k] = (uint32_t)by << up;
     }

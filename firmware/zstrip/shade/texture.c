@@ -95,9 +95,10 @@ static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
            (uv_bits ? (uint32_t)v << (32 - uv_bits) : 0u);
 }
 
-ZS_RARE uint32_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift)
+ZS_RARE uint64_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift)
 {
-    return (uint32_t)(((zs_times_rcp(n, rcp, 0) >> (shift - 1)) + 1) >> 1);
+    const int64_t q = zs_round_shift(zs_mul_su(n, rcp), shift);
+    return (uint64_t)(q != (int32_t)q) << 32 | (uint32_t)q;
 }
 
 /* A coordinate relative to the least of the three. */

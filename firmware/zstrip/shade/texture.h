@@ -99,8 +99,8 @@ static inline int64_t zs_times_rcp(int32_t v, uint32_t rcp, uint32_t more)
            ((int64_t)v * ((int64_t)1 << 32) + more);
 }
 
-/* zs_texture_gradient for shift > 31. */
-uint32_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift);
+/* zs_texture_gradient for shift > 31; for any shift, with ZS_FOR_SIZE. */
+uint64_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift);
 
 #if ZS_DIVIDES
 #define ZS_TEXTURE_GRADIENT ZS_ALWAYS_INLINE
@@ -113,7 +113,7 @@ uint32_t zs_texture_gentle(int32_t n, uint32_t rcp, int32_t shift);
  * fit 32 bits with its sign. |n| < 2^31. The error is 2^-30 of the result, and 1/2 ulp. */
 ZS_TEXTURE_GRADIENT uint64_t zs_texture_gradient(int32_t n, uint32_t rcp, int32_t shift)
 {
-    if (ZS_SELDOM(shift > 31))
+    if (ZS_FOR_SIZE || ZS_SELDOM(shift > 31))
         return zs_texture_gentle(n, rcp, shift);
     const int64_t q = zs_times_rcp(n, rcp, (uint32_t)1 << (shift - 1)); /* |.| < 2^63 */
     const int32_t hi = (int32_t)(q >> 32);

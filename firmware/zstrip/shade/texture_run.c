@@ -164,7 +164,7 @@ ZS_ALWAYS_INLINE uint32_t place_at(const struct zs_sampler *s, int k, uint32_t o
 static inline int32_t step_of(int32_t all, int32_t n)
 {
     return n == GROUP ? all >> ZS_TEXTURE_GROUP_LOG2
-                      : (int32_t)(zs_mul_su(all, zs_one_over[n]) >> 32);
+                      : (int32_t)(zs_mul_su(all, zs_one_over(n)) >> 32);
 }
 
 /* Draw pixels [i0, i1) of an affine part of the scanline, which goes from the pixel `from` to the
