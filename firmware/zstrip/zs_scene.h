@@ -87,15 +87,20 @@ static inline uint16_t zs_rgb565(uint8_t r, uint8_t g, uint8_t b)
     return ZS_RGB565(ZS_U32(r) << 16 | ZS_U32(g) << 8 | b);
 }
 
-/* The same value as it lies in memory, most significant byte first. Frames consist of these. */
-static inline uint16_t zs_wire565(uint8_t r, uint8_t g, uint8_t b)
+/* A value so that its most significant byte is first in memory, or back from there. */
+static inline uint16_t zs_wire16(uint16_t v)
 {
-    const uint16_t v = zs_rgb565(r, g, b);
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     return v;
 #else
-    return ZS_CAST(uint16_t, ZS_U32(v) << 8 | ZS_U32(v) >> 8);
+    return ZS_CAST(uint16_t, v << 8 | v >> 8);
 #endif
+}
+
+/* An RGB565 value as it lies in memory. Frames consist of these. */
+static inline uint16_t zs_wire565(uint8_t r, uint8_t g, uint8_t b)
+{
+    return zs_wire16(zs_rgb565(r, g, b));
 }
 
 /* ---- Textures ----------------------------------------------------------------------------- */

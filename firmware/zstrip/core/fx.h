@@ -145,16 +145,6 @@ static inline int32_t zs_first_sample(q24_8 c)
     return (c + (ZS_SUBPX_HALF - 1)) >> ZS_SUBPX_BITS;
 }
 
-/* Convert a 16-bit value so that its most significant byte is first in memory. */
-static inline uint16_t zs_wire16(uint16_t v)
-{
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    return v;
-#else
-    return (uint16_t)(v << 8 | v >> 8);
-#endif
-}
-
 /* 2^63 / a, at most 2^32 - 1, within 2^-30 of it. a >= 2^31.
  * Cost  one table look-up, one wide and three narrow multiplications; no division.
  * Exact tests/unit/test_fx.c checks the bound for arguments from 2^31 up in steps that reach every

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: MIT
  */
 #include "effect/lights.h"
-#include "shade/solid.h"
 #include "shade/stages.h"
 
 /* The light at a point of a face or vertex. */

@@ -8,7 +8,6 @@
  */
 #include "effect/blend.h"
 #include "effect/over.h"
-#include "shade/solid.h"
 
 /* ---- The pattern ----------------------------------------------------------------------------- */
 

@@ -2,13 +2,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/fx.h"
 #include "zs_shader.h"
-#include "shade/solid.h"
 #include "shade/stages.h"
 
 /* Return a lit channel as a code, 0 .. most, rounded to nearest. most <= 63 */
-static ZS_AS_CALL uint32_t code(uint8_t channel, uint32_t light, uint32_t most)
+static uint32_t code(uint8_t channel, uint32_t light, uint32_t most)
 {
     /* < 2^22; t / 65535 by two shifts */
     const uint32_t t = zs_light_channel(channel, light) * most + 0x8000u;

@@ -2,9 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/fx.h"
 #include "zs_shader.h"
-#include "shade/solid.h"
 #include "shade/stages.h"
 
 uint16_t zs_raw_face(const struct zs_shading *s, uint32_t t)

@@ -4,7 +4,8 @@
  */
 #include "core/fx.h"
 #include "core/job.h"
-#include "shade/solid.h"
+#include "core/rows.h"
+#include "shade/stages.h"
 
 void zs_solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
