@@ -1,4 +1,4 @@
-/* Angles, vectors and poses (core/rotation.c) against double precision.
+/* Angles, vectors and poses (core/rotation.c, support/pose.c) against double precision.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -412,7 +412,7 @@ static void stress_17_drift_searched(void **state)
     CASES(search_case, full_stress() ? 400 : 8);
 }
 
-/* 32768 rotations in a row end in 32768 different counts (rotation.c), so none brings bits back that have
+/* 32768 rotations in a row end in 32768 different counts (pose.c), so none brings bits back that have
  * been there: whatever is lost by a rounding is not lost again and again. */
 static void poses_do_not_come_round(void **state)
 {

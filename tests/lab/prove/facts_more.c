@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/rotation.c"
+#include "support/pose.c"
 #undef EIGHTH
 #undef QUARTER
 
@@ -28,7 +28,7 @@ static int32_t in(int32_t lo, int32_t hi)
     return prng_range(&prng, lo, hi);
 }
 
-/* ---- rotation.c -------------------------------------------------------------------------------------- */
+/* ---- pose.c ------------------------------------------------------------------------------------------ */
 
 /* Every angle: sines to 2^-28 and 2^-53. */
 static void sines_all(void)

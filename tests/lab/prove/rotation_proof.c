@@ -1,4 +1,5 @@
-/* rotation.c: unit vectors, products, turns. Sines of every angle, and what intervals do not see, are facts.c's.
+/* rotation.c and support/pose.c: unit vectors, products, turns. Sines of every angle, and what intervals do not see,
+ * are facts.c's.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,8 +16,9 @@ uint32_t zs_isqrt64(uint64_t v);
 static uint32_t or_least, or_most;
 /*@ assigns \result \from v[0..2], or_least, or_most;
     ensures bound: or_least <= \result <= or_most; */
-static uint32_t magnitude(const int32_t v[3]);
+uint32_t zs_vector_size(const int32_t v[3]);
 #include "core/rotation.c"
+#include "support/pose.c"
 
 #define NEARLY_ONE (ZS_Q30_ONE + (1 << 10)) /* an element of what zs_rotation_ok lets pass */
 
@@ -42,7 +44,7 @@ static int any_vector(int32_t v[3], int k, int n)
     return 1;
 }
 
-/* PROVE units -eva-use-spec=zs_recip,zs_isqrt64,magnitude: every vector of 32 bits but 0, by octave and place of a
+/* PROVE units -eva-use-spec=zs_recip,zs_isqrt64,zs_vector_size: every vector of 32 bits but 0, by octave and place of a
  * largest component, by signs: zs_unit, and the axis of zs_pose_rotate */
 void units(void)
 {

@@ -59,7 +59,7 @@ if [ -z "$only" ] || [ "$only" = facts ]; then # what they take as given
     gcc -std=c11 -O2 -fsanitize=undefined,address -fno-sanitize-recover=all -Ifirmware/zstrip \
         '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' tests/lab/prove/facts.c tests/lab/prove/facts_more.c \
         tests/lab/prove/facts_drawn.c tests/lib/oracle.c \
-        $(ls firmware/zstrip/*/*.c | grep -vE 'core/(edges|raster|plane|rotation).c|fast/(tiles|clusters).c') \
+        $(ls firmware/zstrip/*/*.c | grep -vE 'core/(edges|raster|plane).c|support/pose.c|fast/(tiles|clusters).c') \
         -lm -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
 fi
 echo "$proofs proofs"
