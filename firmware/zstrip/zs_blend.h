@@ -16,9 +16,7 @@
 
 #include "zs_shader.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* The material of all shaders below. A plain struct zs_material with one of them is wrong: it has
  * no alpha, and the renderer cannot see that. zs_damage_track does not see a change of alpha or
@@ -85,8 +83,6 @@ void zs_layer_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int
  *         the scene: each draws the farthest that are left. */
 extern const struct zs_method zs_method_transparent;
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

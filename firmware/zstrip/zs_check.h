@@ -7,9 +7,7 @@
 
 #include "zs_scene.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* "index" is what the functions below report besides. */
 enum zs_flaw {
@@ -58,8 +56,6 @@ enum zs_flaw zs_texture_check(const struct zs_texture *texture, uint32_t *index)
 /* One English clause for a flaw, without a full stop; never NULL. Static storage. */
 const char *zs_flaw_string(enum zs_flaw flaw);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -84,6 +84,15 @@
 #endif
 #endif
 
+/* Around the declarations of a header, for programs in C++. */
+#ifdef __cplusplus
+#define ZS_C_BEGIN extern "C" {
+#define ZS_C_END }
+#else
+#define ZS_C_BEGIN
+#define ZS_C_END
+#endif
+
 /* Of functions that leave things as they were where they fail: who does not look at what they
  * return is warned by the compiler, from C23 and C++17 on. */
 #if (defined(__cplusplus) && __cplusplus >= 201703L) ||                                            \

@@ -7,9 +7,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* Strip hashes: what a panel shows, as one hash for each strip and column of cells. There is one
  * for each panel, and all renderers that draw for the panel share it, so that each knows what the
@@ -101,8 +99,6 @@ int zs_damage_columns(struct zs_renderer *r, int on);
  *         zs_damage_compare and zs_damage_track. */
 int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

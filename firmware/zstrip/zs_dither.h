@@ -17,9 +17,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* Thresholds, a square that is repeated over the frame. Cost in flash: 64 and 256 bytes. */
 struct zs_dither_pattern {
@@ -62,8 +60,6 @@ void zs_dither_draw(void *ctx, const struct zs_target *target);
 extern const struct zs_shader zs_shade_smooth_ordered;
 extern const struct zs_shader zs_shade_smooth_blue;
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -14,9 +14,7 @@
 
 #include "zs_pass.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* What passes call. The fields belong to the library. */
 struct zs_mirror_ops {
@@ -199,8 +197,6 @@ void zs_pose_face(struct zs_pose *pose, const struct zs_camera *camera);
 int zs_pose_face_upright(struct zs_pose *pose, const struct zs_camera *camera,
                          const int32_t up[3]);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -22,9 +22,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* Say what is wrong with a frame, the worst first. The scene is drawn again for that, several times
  * where it cannot be seen: nothing is sent.
@@ -65,8 +63,6 @@ static inline uint32_t zs_explain_init(struct zs_renderer *r, const struct zs_co
     return zs_explain_init_build(r, config, arena, bytes, say, ctx, ZS_BUILD);
 }
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -17,9 +17,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* "Worth 1.2": without it a frame takes 1.2 times the instructions, on a Cortex-M3. Then its bytes
  * of flash there, -O2. tests/records/ACCELERATORS.txt has each scene. */
@@ -98,8 +96,6 @@ extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4;
         ZS_FAST_TEXTURE_FLAT, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_565, ZS_FAST_PAL8, ZS_FAST_PAL4
 #endif
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

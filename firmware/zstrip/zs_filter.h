@@ -37,9 +37,7 @@
 
 #include "zs_check.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* ---- Filters -------------------------------------------------------------------------------- */
 
@@ -92,8 +90,6 @@ extern const struct zs_texel zs_texel_pal4a; /* as zs_texel_pal4, with such a pa
 /* zs_texture_check (zs_check.h) for textures in these formats as well. */
 enum zs_flaw zs_alpha_texture_check(const struct zs_texture *texture, uint32_t *index);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

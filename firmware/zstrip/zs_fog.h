@@ -21,9 +21,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 enum zs_fog_curve {
     ZS_FOG_LINEAR = 0,     /* none up to start, full from end on */
@@ -65,8 +63,6 @@ ZS_NODISCARD int zs_fog_set(struct zs_fog *fog, const struct zs_config *config,
 void zs_fog_draw(void *ctx, const struct zs_target *target);
 int zs_fog_changes(void *ctx, struct zs_rect *rect); /* all, when it is no longer the same fog */
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -36,9 +36,7 @@
 
 #include "zs_shader.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 #ifndef ZS_LIGHTS_MAX
 #define ZS_LIGHTS_MAX 4 /* lamps of a lighting, 0 .. 16 */
@@ -178,8 +176,6 @@ int zs_lighting_check(const struct zs_lighting *lighting);
 void zs_lit_color(const struct zs_shading *s, struct zs_rgb rgb, const int32_t p[3],
                   const zs_q1_15 n[3], uint16_t out[3]);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -49,9 +49,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 extern const struct zs_shader zs_shade_plain; /* the material's rgb, unlit; ZS_VARYINGS_FLAT */
 extern const struct zs_shader zs_shade_none;  /* no colour: keys alone are written */
@@ -129,8 +127,6 @@ uint32_t zs_edges_choose(uint16_t (*line)[2], uint32_t room, const struct zs_mes
 /* The face stage of zs_shade_plain: it reads nothing of the mesh. */
 uint16_t zs_plain_face(const struct zs_shading *s, uint32_t t);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

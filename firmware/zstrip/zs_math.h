@@ -7,9 +7,7 @@
 
 #include "zs_scene.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* Sine and cosine of an angle. Error <= 2^-28. No table. */
 zs_q2_30 zs_sin(zs_turn a);
@@ -81,8 +79,6 @@ ZS_NODISCARD int zs_camera_look_along(struct zs_camera *camera, const int32_t ey
 ZS_NODISCARD int zs_camera_orbit(struct zs_camera *camera, const int32_t at[3], int32_t distance,
                                  zs_turn yaw, int16_t pitch);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -13,9 +13,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* Painter's algorithm: triangles are drawn from far to near, by their farthest vertex; of two that
  * are equally far, the first in scene order is drawn first. No depth memory.
@@ -127,8 +125,6 @@ extern const struct zs_method zs_method_coverage;
     X(coverage, &zs_depth_order, 2, 6, 1)                                                          \
     X(raycast, 0, 4, 6, 1)
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -35,9 +35,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* ---- Sprites ------------------------------------------------------------------------------ */
 
@@ -166,8 +164,6 @@ int zs_overlay_changes(void *ctx, struct zs_rect *rect);
 /* Return the width in px of a text's longest line at size 1. */
 uint32_t zs_overlay_text_width(const char *text);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -20,9 +20,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 enum zs_keep { /* or-ed: what a pass finds in its viewport */
     ZS_KEEP_COLOR = 1, /* what the passes before have drawn, not its scene's background */
@@ -82,8 +80,6 @@ int zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass,
 int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
                           struct zs_pass_memory *memory, uint32_t n);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

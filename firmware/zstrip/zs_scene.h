@@ -12,9 +12,7 @@
 
 #include "zs_config.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* ---- Formats ------------------------------------------------------------------------------ */
 
@@ -338,8 +336,6 @@ struct zs_shading {
     const struct zs_camera *camera;
 };
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

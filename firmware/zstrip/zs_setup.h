@@ -8,9 +8,7 @@
 
 #include "zs_scene.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* How a distance z between near n and far f becomes a key of b bits, B = 2^b. */
 struct zs_depth;
@@ -125,8 +123,6 @@ struct zs_stats {
                                  hides; pieces of scanlines that were compared with a tile */
 };
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -28,9 +28,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 struct zs_job; /* a triangle while one strip is rasterised; its fields belong to the library */
 struct zs_row; /* one scanline of that triangle; its fields belong to the library */
@@ -110,8 +108,6 @@ static inline uint32_t zs_light_channel(uint8_t c, uint32_t intensity)
     return lit > 65535u ? 65535u : lit;
 }
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

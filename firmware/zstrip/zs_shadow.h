@@ -13,9 +13,7 @@
 #include "zs_lights.h"
 #include "zs_shader.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* ---- Flat shadows ------------------------------------------------------------------------- */
 
@@ -210,8 +208,6 @@ extern const struct zs_shader zs_shade_shadowed_lit, zs_shade_shadowed_texture;
 #define ZS_VARYINGS_SHADOWED_LIT 4u
 #define ZS_VARYINGS_SHADOWED_TEXTURE 6u
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

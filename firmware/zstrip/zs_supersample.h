@@ -32,9 +32,7 @@
 
 #include "zstrip.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 /* One for each renderer that draws samples; kept by the caller while it does. */
 struct zs_supersample {
@@ -87,8 +85,6 @@ void zs_supersample_strip(const struct zs_supersample *s, struct zs_strip *strip
  * Return   as zs_invalidate. */
 int zs_supersample_invalidate(const struct zs_supersample *s, const struct zs_rect *rect);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

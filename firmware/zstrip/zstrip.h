@@ -79,9 +79,7 @@
 #include "zs_scene.h"
 #include "zs_setup.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+ZS_C_BEGIN
 
 #define ZS_VERSION 0x000900 /* 0.9.0: major, minor and patch, a byte each */
 #define ZS_VERSION_STRING "0.9.0"
@@ -263,8 +261,6 @@ int zs_frame_end(struct zs_renderer *r);
 /* Counts of the frame that was begun last; never NULL. Valid as long as r. */
 const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
 
-#ifdef __cplusplus
-}
-#endif
+ZS_C_END
 
 #endif

@@ -20,13 +20,6 @@
 #include "arch/fill.h"
 #include "zs_config.h"
 
-/* With ZS_FOR_SIZE: not inlined, where a compiler would make copies. */
-#if ZS_FOR_SIZE && defined(__GNUC__)
-#define ZS_AS_CALL __attribute__((noinline))
-#else
-#define ZS_AS_CALL
-#endif
-
 /* 1: the core has a 32-bit divide instruction. */
 #if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV) || defined(__riscv) && !defined(__riscv_div)
 #define ZS_DIVIDES 0

@@ -57,7 +57,7 @@ static void *take(uintptr_t *at, uint32_t bytes)
 }
 
 /* Place all pools from an address on. Return the arena's end, zs_arena_bytes further on. */
-static ZS_RARE uintptr_t split(struct zs_renderer *r, uintptr_t at)
+static ZS_RARE uintptr_t place_pools(struct zs_renderer *r, uintptr_t at)
 {
     const struct zs_config *c = &r->config;
     const uint32_t color = ZS_COLOR_BYTES(c->width, c->strip_h, 1u);
@@ -148,7 +148,7 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     strip_divisor(r);
     const uintptr_t at = (uintptr_t)arena;
     const uint32_t lent = ZS_TRI_BYTES((uint32_t)(config->max_tris - r->config.max_tris));
-    if (split(r, at) - at + lent > bytes || (at & 3u)) /* lent: what a method took of the pool */
+    if (place_pools(r, at) - at + lent > bytes || (at & 3u)) /* lent: what a method took of the pool */
         return ZS_ERR_ARENA;
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value is correct: entries are checked */

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "../../lib/internals.h"
+#include "core/method.h"
 #include "core/rows.h"
 #include "zs_fast.h"
 
@@ -69,6 +70,8 @@ static void new_strip(int32_t w, int32_t h, int32_t strip, int32_t cut)
     material.shader = &zs_shade_raw;
     raw = zs_fast_raw;
     raw.draw = 0;
+    r.config.method = &zs_method_buffer;
+    r.span = zs_rows_test;
     r.config.fast = in(0, 1) ? fast : 0;
     r.edges = in(0, 1) ? zs_fast_edges.edges : 0;
     const size_t n = (size_t)(w * rows);
