@@ -6,8 +6,8 @@
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/job.h"
-#include "zs_shader.h"
 #include "core/xform.h"
+#include "zs_shader.h"
 
 int64_t zs_assemble_area(const struct zs_vertex *a, const struct zs_vertex *b,
                          const struct zs_vertex *c)

@@ -17,8 +17,8 @@
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/job.h"
-#include "zs_shader.h"
 #include "core/xform.h"
+#include "zs_shader.h"
 
 #define ROOM 8u /* a pool that is full is emptied until an eighth of it is free */
 

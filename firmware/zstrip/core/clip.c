@@ -57,8 +57,8 @@ static uint32_t quotient(const struct cut *cut, uint64_t n)
 static ZS_SHARED int32_t between(const struct cut *cut, int32_t a, int32_t b)
 {
     const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
-    const uint32_t part = quotient(cut,
-                                   zs_mul_uu(size, cut->num) + cut->den / 2u); /* < 2^62.1 + 2^31 */
+    /* < 2^62.1 + 2^31 */
+    const uint32_t part = quotient(cut, zs_mul_uu(size, cut->num) + cut->den / 2u);
     return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
 }
 

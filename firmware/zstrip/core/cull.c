@@ -160,8 +160,8 @@ int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t numb
 {
     const struct zs_instance *in = zs_instance_of(r, number);
     bounds(b, in, &r->camera); /* zs_frame_begin has checked the ranges */
-    const int32_t shift = zs_min32(r->view.shift,
-                                   28);         /* -3 .. 30; from 20 on, the 1 below dominates */
+    /* -3 .. 30; from 20 on, the 1 below dominates */
+    const int32_t shift = zs_min32(r->view.shift, 28);
     (void)zs_cull_widen(r, in, b);
     b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: the error of a vertex */
     return zs_cull_sphere(b, &r->camera, &r->view);

@@ -14,10 +14,10 @@
 #include "core/raster.h"
 #include "core/rows.h"
 #include "core/usual.h"
-#include "zs_damage.h"
-#include "zs_shader.h"
 #include "core/view.h"
 #include "core/walk.h"
+#include "zs_damage.h"
+#include "zs_shader.h"
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 

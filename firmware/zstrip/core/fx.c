@@ -155,14 +155,12 @@ ZS_RARE uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
 ZS_RARE int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
 {
     const uint64_t mag = a < 0 ? 0u - (uint64_t)a : (uint64_t)a;
-    const struct wide w = wide_mul(mag, b);
-    uint64_t r;
-    if (n >= 64)
-        r = w.hi >> (n - 64);
-    else if (n == 0)
-        r = w.lo;
-    else
-        r = w.hi << (64 - n) | w.lo >> n;
+    struct wide w = wide_mul(mag, b);
+    for (; n >= 32; n -= 32) {
+        w.lo = w.hi << 32 | w.lo >> 32;
+        w.hi >>= 32;
+    }
+    const uint64_t r = w.hi << 1 << (63 - n) | w.lo >> n;
     ZS_FACT(r <= (uint64_t)INT64_MAX);
     return a < 0 ? -(int64_t)r : (int64_t)r;
 }

@@ -246,7 +246,7 @@ static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct z
 
 /* Set the fields of job that depend on the instance. Return the accelerator's function that draws
  * its triangles without set-up; NULL: there is none. */
-static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(struct zs_job *)
+static ZS_NOINLINE int (*job_instance(struct zs_job *job, uint32_t number))(struct zs_job *)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_instance *instance = zs_instance_of(r, number);
@@ -341,10 +341,10 @@ void zs_raster_strip(struct zs_renderer *r)
                     job_target(&job);
                     goes_on = r->strip + 1 < r->band_end && job.y1 < job.bottom;
                 }
-                whole = instance_begin(&job, number);
+                whole = job_instance(&job, number);
             }
             if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
-                number = ZS_NIL; /* first touch has ended: call instance_begin again, which may now
+                number = ZS_NIL; /* first touch has ended: call job_instance again, which may now
                                     return a function for small triangles */
             if (!ZS_IF_FAST(whole) || !whole(&job)) {
                 if (part && !ZS_IF_FAST(r->untouched))

@@ -16,8 +16,8 @@
 #include "core/rotation.h"
 #include "core/view.h"
 
-#define NEAR_MIN                                                                                   \
-    256 /* camera units; with a smaller z_near, positions at the near plane are not exact enough */
+/* camera units; with a smaller z_near, positions at the near plane are not exact enough */
+#define NEAR_MIN 256
 #define SCALE_BITS_MIN 8  /* perspective: keeps the shift of a projection below 63 bits */
 #define SCALE_BITS_MAX 40 /* orthographic: the same */
 #define WORLD_MAX_Q16 ((zs_q48_16)ZS_WORLD_MAX * 65536)
@@ -100,10 +100,9 @@ static int scale_set(struct zs_view *view, const struct zs_camera *camera)
         /* bits: the least with focal <= 2^(32 + bits) */
         const uint32_t high = (uint32_t)((focal - 1u) >> 32);
         bits = high ? 32 - zs_clz32(high) : 0;
-        if (bits < SCALE_BITS_MIN)
-            bits = SCALE_BITS_MIN;
-        view->ratio = (int32_t)zs_round_shift((int64_t)(focal >> 1),
-                                              bits + 1); /* focal / 2^(bits + 2), nearest */
+        bits = zs_max32(bits, SCALE_BITS_MIN);
+        /* focal / 2^(bits + 2), nearest */
+        view->ratio = (int32_t)zs_round_shift((int64_t)(focal >> 1), bits + 1);
         view->scale_bits = bits;
         view->guard = (uint64_t)ZS_GUARD_SUBPX;
         return ZS_OK;
@@ -131,7 +130,7 @@ int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length)
 
 int zs_view_units(struct zs_view *view, const struct zs_camera *camera, int64_t reach)
 {
-    const int64_t near_mag = camera->z_near < 0 ? -camera->z_near : camera->z_near;
+    const int64_t near_mag = zs_size64(camera->z_near);
     if (reach < near_mag)
         reach = near_mag; /* keys count from the near plane */
     if (view->perspective && camera->z_far <= 2 * camera->z_near && reach < camera->z_far)

@@ -195,8 +195,8 @@ ZS_NOINLINE int zs_xform_project_at(const struct zs_renderer *r, struct zs_verte
         shift = 63 - lz - view->scale_bits;                   /* 9 .. 54 */
     }
     at->d = depth->vertex(view, z, rcp, lz);
-    shift = zs_min32(shift + view->snap,
-                     64); /* products are below 2^63: a shift of 64 or more gives 0 */
+    /* products are below 2^63: a shift of 64 or more gives 0 */
+    shift = zs_min32(shift + view->snap, 64);
     const int32_t x = placed(view, at->x, rcp, shift), y = placed(view, at->y, rcp, shift);
     at->x = view->cx + x;
     at->y = view->cy + y;

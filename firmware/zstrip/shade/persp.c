@@ -32,8 +32,7 @@ void zs_persp_w(const struct zs_job *job, uint32_t w[3])
         wide[k] = depth->inverse(view, job->v[k]->d);
         most |= wide[k];
     }
-    const int32_t shift = 33 - zs_clz64(most); /* -30 .. 32 */
-    const uint64_t half = shift > 0 ? (uint64_t)1 << (shift - 1) : 0u;
+    const int32_t up = zs_clz64(most) - 33; /* -32 .. 30 */
     for (int k = 0; k < 3; k++)
-        w[k] = (uint32_t)(shift > 0 ? (wide[k] + half) >> shift : wide[k] << -shift);
+        w[k] = (uint32_t)zs_scale2((int64_t)wide[k], up);
 }
