@@ -148,7 +148,8 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     strip_divisor(r);
     const uintptr_t at = (uintptr_t)arena;
     const uint32_t lent = ZS_TRI_BYTES((uint32_t)(config->max_tris - r->config.max_tris));
-    if (place_pools(r, at) - at + lent > bytes || (at & 3u)) /* lent: what a method took of the pool */
+    /* lent: what a method took of the pool */
+    if (place_pools(r, at) - at + lent > bytes || (at & 3u))
         return ZS_ERR_ARENA;
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value is correct: entries are checked */
