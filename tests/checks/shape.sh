@@ -7,7 +7,7 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-CORE_MAX=${CORE_MAX:-4080}         # lines of code in core/ and the public headers; the goal is 4200
+CORE_MAX=${CORE_MAX:-4072}         # lines of code in core/ and the public headers; the goal is 4200
 ALL_MAX=${ALL_MAX:-10600}           # ... in all of firmware/zstrip; the goal is 7000
 EFFECTS_MAX=${EFFECTS_MAX:-4360}   # ... in effect/ and its public headers
 OVERLAYS_MAX=${OVERLAYS_MAX:-1340} # ... in overlay/ and its public headers
