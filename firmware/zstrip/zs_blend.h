@@ -68,6 +68,49 @@ extern const struct zs_shader zs_stipple_raw, zs_stipple_flat, zs_stipple_smooth
 void zs_layer_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                    uint32_t sum, uint32_t step);
 
+/* ---- Any shader as a layer ------------------------------------------------------------------- */
+
+/* A shader in place of another one: what that one draws is mixed with what is there. It takes any
+ * shader with its own material: lamps, highlights, filters, matcaps, shadow maps, a fragment stage
+ * of yours.
+ *
+ *     static struct zs_layered glass;
+ *     static struct zs_lit_material m = { .lighting = &lights, .shine = &gloss, ... };
+ *     err = zs_layered_set(&glass, &zs_shade_lit, &zs_layer_mix, 96);
+ *     m.material.shader = &glass.shader;
+ *
+ * Exact, depth, methods: as the shaders above. */
+struct zs_fog;
+struct zs_layer_kind;                            /* how; its fields belong to the library */
+extern const struct zs_layer_kind zs_layer_mix;  /* as zs_blend_smooth */
+extern const struct zs_layer_kind zs_layer_add;  /* as zs_add_smooth */
+extern const struct zs_layer_kind zs_layer_door; /* as zs_stipple_smooth: keys are written */
+struct zs_layered {
+    struct zs_shader shader; /* for zs_material.shader; set by zs_layered_set, as are: */
+    const struct zs_shader *of;
+    const struct zs_layer_kind *kind;
+    uint8_t alpha, phase; /* as in struct zs_blend; may be changed between frames */
+    /* Set by zs_layered_fog (zs_fog.h); NULL: no fog. */
+    void (*fogged)(const struct zs_fog *fog, uint16_t *px, int32_t n, uint32_t sum, uint32_t step,
+                   int dark);
+    const struct zs_fog *fog;
+};
+
+/* Set a layer.
+ *
+ * layer   kept by the caller, not moved while it is drawn; without fog, phase 0.
+ * of      what is drawn; may be of a struct zs_filtered (zs_filter.h). Kept.
+ * kind    &zs_layer_mix, &zs_layer_add or &zs_layer_door. Each is linked only when named.
+ * alpha   0: nothing is seen; 255: all of it.
+ * Cost    of a pixel on a Cortex-M3: what `of` takes, and 25 (M0: 44), in fog 32 (48) more; door
+ *         11.
+ * Return  ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE: `of` leaves pixels out or mixes by itself (cut-outs,
+ *         windows, flat shadows, other layers): layer is untouched. */
+ZS_NODISCARD int zs_layered_set(struct zs_layered *layer, const struct zs_shader *of,
+                                const struct zs_layer_kind *kind, uint8_t alpha);
+
+/* ---- The method ------------------------------------------------------------------------------ */
+
 /* Sorted layers, a method (zs_config.method): the depth buffer for all other instances, in scene
  * order; then the triangles of instances whose shader is a blending one, or has ZS_LAYER, from far
  * to near: tested, not written. In a frame of several passes: the same for each pass.

@@ -36,6 +36,7 @@
 #define ZS_FILTER_H
 
 #include "zs_check.h"
+#include "zs_shader.h"
 
 ZS_C_BEGIN
 
@@ -62,6 +63,35 @@ extern const struct zs_shader zs_shade_mipmap_smooth;
 extern const struct zs_shader zs_shade_mipmap_bilinear; /* bilinear in the level */
 extern const struct zs_shader zs_shade_mipmap_bilinear_flat;
 extern const struct zs_shader zs_shade_mipmap_bilinear_smooth;
+
+/* Filters for other textured shaders: those of lamps and highlights, of shadow maps, matcaps.
+ *
+ *     static struct zs_filtered soft;
+ *     err = zs_filtered_set(&soft, &zs_shade_texture_gloss, &zs_filter_linear);
+ *     m.material.shader = &soft.shader;                // a struct zs_lit_material's
+ */
+struct zs_filter_kind; /* its fields belong to the library */
+extern const struct zs_filter_kind zs_filter_linear; /* as zs_shade_bilinear */
+extern const struct zs_filter_kind zs_filter_levels; /* as zs_shade_mipmap */
+extern const struct zs_filter_kind zs_filter_levels_linear; /* as zs_shade_mipmap_bilinear */
+struct zs_filtered {
+    struct zs_shader shader; /* for zs_material.shader; set by zs_filtered_set, as are: */
+    const struct zs_shader *of;
+    const struct zs_filter_kind *kind;
+};
+
+/* Set a filtered shader.
+ *
+ * filtered  kept by the caller, not moved while it is drawn.
+ * of        what it is; not of zs_shade_cutout, zs_blend_ and zs_stipple_, zs_shade_texture_tinted,
+ *           nor one of this header: they read texels in their own way. To blend: struct zs_layered.
+ * kind      one of those above. Each is linked only when named.
+ * Cost      of a pixel: what `of` takes, and what the filter takes more than zs_shade_texture.
+ * Return    ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE: `of` is none that can be: filtered is untouched. What
+ *           is drawn with it is refused, ZS_ERR_TEXTURE, where a texture has levels that it cannot
+ *           have. */
+ZS_NODISCARD int zs_filtered_set(struct zs_filtered *filtered, const struct zs_shader *of,
+                                 const struct zs_filter_kind *kind);
 
 /* ---- Alpha ---------------------------------------------------------------------------------- */
 

@@ -11,6 +11,8 @@
  * whatever is drawn, takes any shader, and needs a mapping with depth memory. Put its hook before
  * those of overlays. Keys that an instance does not write or that it moves (struct zs_depth_state)
  * are taken as they are. In a frame of passes, all keys count as those of the camera given here.
+ * Fog behind transparent layers, and fog in a mirror: zs_pass.early lets it come before the layers
+ * or the mirror's pass, and struct zs_layered (zs_blend.h) gives layers fog of their own.
  *
  * Distance is that along the view axis, as of the planes near and far.
  *
@@ -29,13 +31,21 @@ enum zs_fog_curve {
                               start): at end, 1 / e of the surface's colour is left */
 };
 
+enum zs_fog_sky {
+    ZS_FOG_SKY = 1,     /* where nothing was drawn: the fog's colour; else what there is */
+    ZS_FOG_WINDOWS = 2, /* the hook comes before a pass with zs_mask_window: the key 65534 is where
+                           nothing was drawn */
+    ZS_FOG_MASKED = 4   /* the hook is that of a pass with zs_mask_window: the key 0 is beside the
+                           windows, and left as it is */
+};
+
 #define ZS_FOG_LEVELS 64u
 
 /* 164 bytes. The fields of the first part are the caller's, 0 where they are not read. */
 struct zs_fog {
     uint16_t color;     /* RGB565 */
     uint8_t curve;      /* enum zs_fog_curve */
-    uint8_t sky;        /* where nothing was drawn: 1: the fog's colour, 0: what there is */
+    uint8_t sky;        /* enum zs_fog_sky, or-ed */
     int32_t start, end; /* world units from the eye, any sign; start < end */
 
     uint16_t from[ZS_FOG_LEVELS + 2u]; /* the least key of each level, and the end; by zs_fog_set */
@@ -62,6 +72,14 @@ ZS_NODISCARD int zs_fog_set(struct zs_fog *fog, const struct zs_config *config,
  * 26 instructions a pixel, 14 where nothing was drawn. 1.2 KB of flash. */
 void zs_fog_draw(void *ctx, const struct zs_target *target);
 int zs_fog_changes(void *ctx, struct zs_rect *rect); /* all, when it is no longer the same fog */
+
+/* Give a layer (zs_blend.h) fog of its own, at each pixel by its key; a hook sees the keys of what
+ * is behind a layer. Drawn under the depth buffer, zs_method_hiz and zs_method_transparent; other
+ * methods draw without it. zs_layer_door needs none, as it writes keys.
+ * layer  set (zs_layered_set)
+ * fog    set (zs_fog_set); kept. With zs_layer_add the fog is black: it takes light away. */
+struct zs_layered;
+void zs_layered_fog(struct zs_layered *layer, const struct zs_fog *fog);
 
 ZS_C_END
 

@@ -39,6 +39,9 @@ struct zs_pass {
     const struct zs_depth *depth;   /* NULL: the configuration's. All passes have depth memory, or
                                        none has */
     uint8_t keep;                   /* enum zs_keep. The first pass always clears the whole strip */
+    uint8_t early;                  /* 1: the resolve hooks of its scene, which no other pass has,
+                                       are called before the next pass begins, in place of at the
+                                       end: fog behind transparent layers, fog in a mirror */
     const struct zs_mirror *mirror; /* the pass shows what the camera sees in it; NULL: directly */
     const struct zs_mask *mask;     /* it is seen in windows of the pass before; NULL: everywhere */
 };
@@ -58,7 +61,7 @@ struct zs_pass_memory {
 
 /* As zs_render, in passes. Pixels in no viewport show the background of the first pass's scene.
  * When all passes have been drawn, the resolve hooks of each scene are called once, with the
- * whole strip.
+ * whole strip; those of an `early` pass before the next pass.
  *
  * pass    [n], drawn in this order; the array, its scenes and its cameras are borrowed until the
  *         return.

@@ -22,6 +22,7 @@
 #include "zs_shader.h"
 #include "core/cull.h"
 #include "scene_parts.h"
+#include "shader_table.h"
 #include "record_sizes.h"
 #include "scenes.h"
 #include "sim.h"
@@ -205,6 +206,31 @@ struct counting {
     const struct budget_request *rq;
 };
 
+/* The scene, in which shaders that are made of others, and those that were not measured, are plain ones: *made then is
+ * 1, and its time is not known. */
+static struct zs_scene in_plain(const struct zs_scene *of, struct zs_material **materials, int *made)
+{
+    struct zs_scene scene = *of;
+    struct zs_instance *all = sim_alloc((size_t)of->n_instances + 1, sizeof *all);
+    *materials = sim_alloc((size_t)of->n_instances + 1, sizeof **materials);
+    *made = 0;
+    scene.instance = all;
+    for (uint32_t i = 0; i < of->n_instances; i++) {
+        struct zs_material *m = &(*materials)[i];
+        all[i] = of->instance[i];
+        if (sim_shader_row_of(all[i].material->shader) != NULL)
+            continue;
+        *m = *all[i].material;
+        m->shader = m->texture != NULL && all[i].mesh->normal != NULL ? &zs_shade_texture_smooth
+                    : m->texture != NULL                              ? &zs_shade_texture
+                    : all[i].mesh->normal != NULL                     ? &zs_shade_smooth
+                                                                      : &zs_shade_flat;
+        all[i].material = m;
+        *made = 1;
+    }
+    return scene;
+}
+
 /* A model's frame, as it is drawn, effects and all. Of four samples a pixel pools, strips and bytes are those of the
  * frame of twice the size each way that the renderer draws. */
 static int count_drawn(void *ctx, const struct sim_drawn_scene *d)
@@ -219,11 +245,18 @@ static int count_drawn(void *ctx, const struct sim_drawn_scene *d)
     }
     if (d->config.method == &zs_method_transparent)
         c->method = d->config.method;
-    const int status = count_scene(b, of->rq, of->rq->o.model, d->scene, d->camera);
+    struct zs_material *materials;
+    int made;
+    const struct zs_scene scene = in_plain(d->scene, &materials, &made);
+    const int status = count_scene(b, of->rq, of->rq->o.model, &scene, d->camera);
+    free((void *)(uintptr_t)scene.instance);
+    free(materials);
+    if (made)
+        sim_effects_unknown(&b->counted, "this combination of effects");
     if (d->samples > 1)
         sim_effects_add_samples(&b->counted, (double)c->width * c->height / (double)d->samples);
-    if (d->mirrored != NULL)
-        sim_effects_unknown(&b->counted, "a mirror");
+    if (d->passes > 1)
+        sim_effects_unknown(&b->counted, of->rq->o.effects.mirror ? "a mirror" : "fog behind what is transparent");
     b->data = (uint32_t)d->data_bytes;
     if (has_effects(d->scene) && !of->rq->quiet)
         (void)fprintf(stderr,

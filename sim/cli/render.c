@@ -229,7 +229,7 @@ static int draw(struct job *job)
         status = sim_original_render(&job->original, &job->model, &job->view, o);
     if (status == SIM_OK && o->compare) {
         const struct ref_image ours = { .rgb565 = job->frame.rgb565,
-                                        .key = job->frame.no_keys ? NULL : job->frame.key,
+                                        .key = job->frame.no_keys || o->effects.has_alpha ? NULL : job->frame.key,
                                         .id = job->id, .texel = job->texel };
         if (ref_compare(&ours, &job->original.image, &job->original.depth, &job->original.camera,
                         job->view.width, job->view.height, &job->diff) != REF_OK)
@@ -560,7 +560,7 @@ int sim_render_scene(struct sim_kept_scene *kept, const struct sim_model *model,
         const struct sim_drawn_scene drawn = {
             .scene = job->drawn,
             .camera = effects ? &job->effect.camera : &job->scene->camera,
-            .mirrored = effects ? sim_effect_mirrored(&job->effect) : NULL,
+            .passes = effects ? job->effect.n_passes : 1u,
             .config = job->config,
             .samples = effects ? job->effect.samples : 1,
             .data_bytes = job->scene->data_bytes

@@ -253,7 +253,7 @@ static int check_effects(const struct sim_options *o)
     const char *unknown = o->reference || o->compare ? sim_effects_unreferenced(e) : NULL;
     if (unknown != NULL)
         return sim_usage("%s is not known to the reference: leave it out, or --compare and --reference; lights, "
-                         "--specular, --per-pixel, --fog and --filter bilinear are compared", unknown);
+                         "--specular, --per-pixel, --alpha, --fog and --filter are compared", unknown);
     if (o->method != 0 || o->style != SIM_STYLE_SOLID)
         return sim_usage("effects are drawn by --method zbuffer and --style solid: leave those out");
     if (o->show != SIM_SHOW_FRAME || o->threads != 0 || (e->samples > 1 && o->depth_out != NULL))
@@ -264,38 +264,32 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--light x,y,z is the only light: write it as dir:x,y,z beside others");
     if (lit && o->shade != SIM_SHADE_FLAT && !sim_options_smooth(o) && o->shade != SIM_SHADE_DEFAULT)
         return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat, smooth or textured");
-    if ((e->per_pixel || e->specular_text != NULL) && !sim_options_smooth(o))
-        return sim_usage("--specular and --per-pixel need --shade smooth or textured");
-    if (e->shadow == SIM_SHADOW_MAP && !sim_options_smooth(o))
-        return sim_usage("--shadow map needs --shade smooth or textured");
-    if (e->shadow == SIM_SHADOW_MAP && e->n_lights > 1)
-        return sim_usage("--shadow map is of one light: leave the other --light options out");
+    if (e->per_pixel && !sim_options_smooth(o))
+        return sim_usage("--per-pixel needs --shade smooth or textured, which have normals at the vertices");
+    if (e->shadow == SIM_SHADOW_MAP && !sim_options_smooth(o) && o->shade != SIM_SHADE_FLAT &&
+        o->shade != SIM_SHADE_DEFAULT)
+        return sim_usage("--shadow map needs --shade flat, smooth or textured");
     if (e->environment != NULL && o->shade != SIM_SHADE_SMOOTH)
         return sim_usage("--environment needs --shade smooth, since it goes by normals");
-    if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o))
-        return sim_usage("--filter needs --shade textured, textured-flat or unlit");
-    const int mapped = e->shadow == SIM_SHADOW_MAP; /* of a light */
-    const int lit_alone = mapped ? e->specular_text != NULL || e->per_pixel : lit;
-    if (lit_alone + e->has_alpha + (e->filter != SIM_FILTER_NEAREST) + (e->environment != NULL) +
-            mapped + (e->dither != SIM_DITHER_NONE && o->panel.name == NULL) >
-        1)
-        return sim_usage("--alpha, --filter, --environment, --shadow map, --dither without a panel, and lights (typed "
-                         "ones without --shadow map, --specular, --per-pixel) each have a shader of their own: take "
-                         "one of them");
-    if (e->fog != SIM_FOG_NONE && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
-        return sim_usage("--fog goes by depth keys, which transparent faces do not write: leave one out");
-    if (e->shadow == SIM_SHADOW_PLANAR && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
-        return sim_usage("--shadow planar is not drawn beside transparent faces: leave one out");
-    if (e->mirror && e->fog != SIM_FOG_NONE)
-        return sim_usage("--mirror leaves no keys that --fog could go by: leave one out");
-    if (e->mirror && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
-        return sim_usage("--mirror covers transparent faces before it, which write no keys: leave one out");
+    if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o) && e->environment == NULL)
+        return sim_usage("--filter needs --shade textured, textured-flat or unlit, or an --environment");
+    if (e->environment != NULL && (e->specular_text != NULL || e->per_pixel))
+        return sim_usage("--environment has its lights in its picture: leave %s out, or --environment",
+                         e->specular_text != NULL ? "--specular" : "--per-pixel");
+    if (e->environment != NULL && e->n_lights > 0 && e->shadow == SIM_SHADOW_NONE)
+        return sim_usage("--environment has its lights in its picture: leave --light TYPE:... out, or let it throw a "
+                         "--shadow");
+    const char *bits = e->environment != NULL           ? "--environment, whose picture has"
+                       : e->per_pixel                   ? "--per-pixel, whose colours have"
+                       : e->shadow == SIM_SHADOW_MAP    ? "--shadow map, whose colours have"
+                                                        : NULL;
+    if (bits != NULL && e->dither != SIM_DITHER_NONE && o->panel.name == NULL)
+        return sim_usage("--dither and %s no more bits than RGB565: leave one out, or name a grey or one-bit --panel",
+                         bits);
     if (e->filter == SIM_FILTER_MIPMAP && o->has_texel && o->texel != SIM_TEXEL_565)
         return sim_usage("--filter mipmap makes its levels in --texture-format 565: leave the other one out");
     if (e->has_blend && !e->has_alpha)
         return sim_usage("--blend needs --alpha, which says how much");
-    if (e->mirror && e->shadow != SIM_SHADOW_NONE)
-        return sim_usage("--mirror and --shadow are two floors: leave one out");
     return SIM_OK;
 }
 

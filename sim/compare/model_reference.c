@@ -84,18 +84,48 @@ static void fill(struct ref_triangle *to, const struct sim_model *model, uint32_
         channels(to->rgb[0], rgb);
 }
 
-static struct ref_texture *textures_of(const struct sim_model *model, const struct sim_options *o)
+#define LEVELS_MAX 16 /* of a texture, beside itself */
+
+/* The picture at half its size: each texel the mean of four. */
+static uint8_t *half_of(const struct ref_texture *t)
 {
-    struct ref_texture *all = sim_alloc(model->n_textures, sizeof *all);
+    const size_t w = (size_t)t->width / 2, h = (size_t)t->height / 2, row = 3 * (size_t)t->width;
+    uint8_t *rgb = sim_alloc(w * h, 3);
+    for (size_t i = 0; i < 3 * w * h; i++) {
+        const uint8_t *at = t->rgb + i / (3 * w) * 2 * row + i % (3 * w) / 3 * 6 + i % 3;
+        rgb[i] = (uint8_t)((at[0] + at[3] + at[row] + at[row + 3] + 2) / 4);
+    }
+    return rgb;
+}
+
+static void add_levels(struct sim_original *out, struct ref_texture *t)
+{
+    while (t->width > 1 && t->height > 1) {
+        struct ref_texture *half = &out->texture[out->n_textures + out->n_levels++];
+        *half = *t;
+        half->rgb = half_of(t);
+        half->width /= 2;
+        half->height /= 2;
+        t->half = half;
+        t = half;
+    }
+}
+
+static void textures_of(struct sim_original *out, const struct sim_model *model, const struct sim_options *o)
+{
+    struct ref_texture *all = sim_alloc((size_t)model->n_textures * (1 + LEVELS_MAX), sizeof *all);
+    out->texture = all;
+    out->n_textures = model->n_textures;
     for (uint32_t i = 0; i < model->n_textures; i++) {
         const struct sim_texture *t = &model->texture[i];
         all[i] = (struct ref_texture){
             .width = (int)t->image.width, .height = (int)t->image.height, .rgb = t->image.rgb[0],
             .clamp_u = (t->clamp & ZS_CLAMP_U) != 0, .clamp_v = (t->clamp & ZS_CLAMP_V) != 0,
-            .bilinear = o->effects.filter == SIM_FILTER_BILINEAR
+            .bilinear = o->effects.filter != SIM_FILTER_NEAREST
         };
+        if (o->effects.filter == SIM_FILTER_MIPMAP)
+            add_levels(out, &all[i]);
     }
-    return all;
 }
 
 static void set_up(struct sim_original *out, struct ref_light *light, const struct sim_view *view,
@@ -190,6 +220,10 @@ int sim_original_render(struct sim_original *out, const struct sim_model *model,
     set_up(out, &light, view, o);
     set_lamps(out, &light, model, view, o);
     set_fog(out, &light, &o->effects);
+    if (o->effects.has_alpha) {
+        light.layers = o->effects.blend == SIM_BLEND_ADD ? REF_ADD : REF_MIX;
+        light.alpha = rint(o->effects.alpha * 255.0) / 255.0;
+    }
     const size_t n = (size_t)view->width * (size_t)view->height;
     out->image.rgb565 = sim_alloc(n, sizeof *out->image.rgb565);
     out->image.key = sim_alloc(n, sizeof *out->image.key);
@@ -201,7 +235,7 @@ int sim_original_render(struct sim_original *out, const struct sim_model *model,
         out->image.v = sim_alloc(n, sizeof *out->image.v);
         out->image.texel = sim_alloc(n, sizeof *out->image.texel);
         out->image.texture = sim_alloc(n, sizeof(void *));
-        out->texture = textures_of(model, o);
+        textures_of(out, model, o);
     }
     struct ref_triangle *tris = sim_alloc(model->n_tris, sizeof *tris);
     for (uint32_t t = 0; t < model->n_tris; t++)
@@ -221,6 +255,8 @@ int sim_original_render(struct sim_original *out, const struct sim_model *model,
 void sim_original_free(struct sim_original *original)
 {
     const struct ref_image *i = &original->image;
+    for (uint32_t k = 0; k < original->n_levels; k++)
+        free((void *)(uintptr_t)original->texture[original->n_textures + k].rgb);
     SIM_FREE(i->rgb565, i->key, i->id, i->z, i->exact_key, i->u, i->v, i->texel, i->texture, original->texture);
     memset(original, 0, sizeof *original);
 }

@@ -14,15 +14,16 @@
 struct sim_original {
     struct ref_image image; /* rgb565, key, id, z and exact_key; textured: u, v, texel and texture
                                too; memory of its own */
-    struct ref_texture *texture; /* [model->n_textures]; texels are the model's */
+    struct ref_texture *texture; /* [model->n_textures]; texels are the model's; then levels, whose are their own */
+    uint32_t n_textures, n_levels;
     struct ref_lamp lamp[SIM_LIGHTS_MAX];
     struct ref_fog fog;
     struct ref_camera camera;
     struct ref_depth depth;
 };
 
-/* Draw it with the same camera, colours and light, with lights, highlights, fog and bilinear textures of the options,
- * and highlights and emission of materials. The model must outlive *out.
+/* Draw it with the same camera, colours and light, with lights, highlights, fog, layers, bilinear textures and mipmaps
+ * of the options, and highlights and emission of materials. The model must outlive *out.
  * SIM_OK; SIM_REFUSED, said why, *out empty. */
 int sim_original_render(struct sim_original *out, const struct sim_model *model,
                         const struct sim_view *view, const struct sim_options *o);

@@ -24,16 +24,17 @@ static void widen_planes(struct zs_camera *c, const struct sim_scene *from, cons
         c->z_near = c->z_far / 400;
 }
 
-/* The floor becomes the first instance. */
-static void add_floor(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
+static void lay_floor(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
                       const struct sim_view *view, const struct sim_options *o)
 {
-    out->ground = sim_alloc(1, sizeof *out->ground);
-    sim_floor_lay(&out->ground->floor, model, from, o->up);
-    memmove(out->instance + 1, out->instance, out->scene.n_instances * sizeof *out->instance);
-    out->instance[0] = out->ground->floor.instance;
-    out->scene.n_instances++;
-    widen_planes(&out->camera, from, view, &out->ground->floor, o);
+    struct sim_effect_ground *g = sim_alloc(1, sizeof *g);
+    out->ground = g;
+    sim_floor_lay(&g->floor, model, from, o->up);
+    if (o->effects.mirror && o->effects.shadow != SIM_SHADOW_NONE) { /* light cells mirror, dark ones lie in shadow */
+        sim_floor_half(&g->window, &g->floor, 0);
+        sim_floor_half(&g->matt, &g->floor, 1);
+    }
+    widen_planes(&out->camera, from, view, &g->floor, o);
 }
 
 static struct zs_shadow_light shadow_light(const struct sim_effect_scene *out, const struct sim_scene *from)
@@ -91,7 +92,7 @@ static int refuse_shadow(const struct sim_effect_ground *g, const struct zs_inst
     return sim_refuse(o->model, 0, "--shadow planar: %s", zs_error_string(err));
 }
 
-/* The shadows of the first light become the last instances. */
+/* The shadows of the first light. */
 static int add_shadows(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_options *o)
 {
     struct sim_effect_ground *g = out->ground;
@@ -102,90 +103,55 @@ static int add_shadows(struct sim_effect_scene *out, const struct sim_scene *fro
         plane.normal[k] = (zs_q2_30)lrint(g->floor.up[k] * 1073741824.0);
         plane.at[k] = g->floor.instance.pose.pos[k];
     }
-    g->shade = (struct zs_material){ .shader = &zs_shade_shadow, .rgb = { 96, 96, 96 }, .cull = ZS_CULL_NONE };
+    g->dark = (struct zs_material){ .shader = &zs_shade_shadow, .rgb = { 96, 96, 96 }, .cull = ZS_CULL_NONE };
+    g->shade = sim_alloc((size_t)n + 1, sizeof *g->shade);
     g->shadow = sim_alloc((size_t)n + 1, sizeof *g->shadow);
     g->pos = sim_alloc((size_t)n + 1, sizeof *g->pos);
     g->n_shadows = n;
     for (uint32_t i = 0; i < n; i++) {
         const struct zs_instance *caster = &from->scene.instance[i];
-        struct zs_instance *shadow = &out->instance[out->scene.n_instances];
+        struct zs_instance *shadow = &g->shade[i];
         g->pos[i] = sim_alloc((size_t)caster->mesh->n_verts + 1, sizeof *g->pos[i]);
-        *shadow = (struct zs_instance){ .material = &g->shade };
+        *shadow = (struct zs_instance){ .material = &g->dark };
         const int err = zs_shadow_flatten(shadow, &g->shadow[i], g->pos[i], caster, &plane, &light);
         if (err != ZS_OK)
             return refuse_shadow(g, caster, &light, from, o, err);
-        out->scene.n_instances++;
     }
     return SIM_OK;
 }
 
-/* All in the light of a lamp, in its map's shadows. */
-static void make_lamp_lit(struct sim_effect_scene *out)
+/* A map for each light; the floor and the model lie in their shadows. */
+static int make_maps(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
+                     const struct sim_options *o)
 {
     struct sim_effect_ground *g = out->ground;
-    g->shadowed_lit = sim_alloc((size_t)out->scene.n_instances + 1, sizeof *g->shadowed_lit);
-    out->varyings = ZS_VARYINGS_SHADOWED_LIT;
-    for (uint32_t i = 0; i < out->scene.n_instances; i++) {
-        struct zs_shadowed_lit *m = &g->shadowed_lit[i];
-        *m = (struct zs_shadowed_lit){
-            .lit = { .material = *out->instance[i].material, .lighting = &out->surface->lighting }, .map = &g->map.map
-        };
-        m->lit.material.shader = m->lit.material.texture != NULL ? &zs_shade_shadowed_texture : &zs_shade_shadowed_lit;
-        if (m->lit.material.texture != NULL)
-            out->varyings = ZS_VARYINGS_SHADOWED_TEXTURE;
-        out->instance[i].material = &m->lit.material;
+    const struct sim_effect_surface *s = out->surface;
+    const uint32_t n_lamps = s->lighting.n_lamps;
+    for (uint32_t k = 0; k < (n_lamps > 0 ? n_lamps : 1u); k++) {
+        const int err = sim_light_map_draw(&g->map[k], model, from, n_lamps > 0 ? &s->lamp[k] : NULL);
+        if (err == ZS_ERR_NEAR)
+            return sim_refuse(o->model, 0,
+                              "--shadow map: the light stands in the model or within a quarter of its radius from it; "
+                              "move it to %.3g or more from the model's middle, %.3g,%.3g,%.3g", 1.3 * model->radius,
+                              model->center[0], model->center[1], model->center[2]);
+        if (err != ZS_OK)
+            return sim_refuse(o->model, 0, "--shadow map: %s", zs_error_string(err));
     }
+    if (n_lamps == 0)
+        zs_shadow_map_light(&g->map[0].map, &out->scene.light);
+    return sim_effect_shadowed(out, from->scene.n_instances, o);
 }
 
-/* The floor, the first instance, and all of the model get a shadow map's light. */
-static int make_map(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
-                    const struct sim_options *o)
+/* The floor becomes a mirror, or its light cells do: a window in which a second pass is seen. */
+static int make_mirror(struct sim_effect_scene *out, const struct sim_options *o)
 {
     struct sim_effect_ground *g = out->ground;
-    const struct zs_lamp *lamp = out->surface->lighting.n_lamps > 0 ? out->surface->lamp : NULL;
-    const int err = sim_light_map_draw(&g->map, model, from, lamp);
-    if (err == ZS_ERR_NEAR)
-        return sim_refuse(o->model, 0,
-                          "--shadow map: the light stands in the model or within a quarter of its radius from it; "
-                          "move it to %.3g or more from the model's middle, %.3g,%.3g,%.3g", 1.3 * model->radius,
-                          model->center[0], model->center[1], model->center[2]);
-    if (err != ZS_OK)
-        return sim_refuse(o->model, 0, "--shadow map: %s", zs_error_string(err));
-    if (lamp != NULL) {
-        make_lamp_lit(out);
-        return SIM_OK;
-    }
-    g->shadowed = sim_alloc((size_t)out->scene.n_instances + 1, sizeof *g->shadowed);
-    for (uint32_t i = 0; i < out->scene.n_instances; i++) {
-        g->shadowed[i].material = *out->instance[i].material;
-        g->shadowed[i].material.shader = &zs_shade_shadowed_smooth;
-        g->shadowed[i].map = &g->map.map;
-        out->instance[i].material = &g->shadowed[i].material;
-    }
-    zs_shadow_map_light(&g->map.map, &out->scene.light);
-    out->varyings = ZS_VARYINGS_SHADOWED_SMOOTH;
-    return SIM_OK;
-}
-
-/* The floor becomes a mirror: the last instance, a window in which a second pass is seen. */
-static int make_mirror(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_options *o)
-{
-    struct sim_effect_ground *g = out->ground;
-    const uint32_t n = from->scene.n_instances;
-    const struct zs_instance floor = out->instance[0];
-    memmove(out->instance, out->instance + 1, n * sizeof *out->instance);
-    out->instance[n] = floor;
-    g->floor.material.shader = &zs_shade_window;
-    const int err = zs_mirror_of(&g->mirror, &floor, 16);
-    if (err != ZS_OK)
-        return sim_refuse(o->model, 0, "--mirror: %s", zs_error_string(err));
-    g->seen = out->scene;
-    g->seen.n_instances = n;
-    g->seen.n_resolves = 0;                /* hooks run once for the frame */
-    const struct zs_rgb b = o->background; /* a third of the way to grey, so that the glass is seen */
-    g->seen.background = zs_rgb565((uint8_t)((2 * b.r + 112) / 3), (uint8_t)((2 * b.g + 120) / 3),
-                                   (uint8_t)((2 * b.b + 128) / 3));
-    return SIM_OK;
+    struct zs_instance *window = g->window.mesh.n_tris > 0 ? &g->window.instance : &g->floor.instance;
+    const int err = zs_mirror_of(&g->mirror, &g->floor.instance, 16);
+    g->glass = g->floor.material;
+    g->glass.shader = &zs_shade_window;
+    window->material = &g->glass;
+    return err == ZS_OK ? SIM_OK : sim_refuse(o->model, 0, "--mirror: %s", zs_error_string(err));
 }
 
 int sim_effect_ground(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
@@ -194,10 +160,11 @@ int sim_effect_ground(struct sim_effect_scene *out, const struct sim_model *mode
     const struct sim_effect_options *e = &o->effects;
     if (!sim_effects_floor(e))
         return SIM_OK;
-    add_floor(out, model, from, view, o);
-    return e->mirror                        ? make_mirror(out, from, o)
-           : e->shadow == SIM_SHADOW_PLANAR ? add_shadows(out, from, o)
-                                            : make_map(out, model, from, o);
+    lay_floor(out, model, from, view, o);
+    const int status = e->shadow == SIM_SHADOW_PLANAR ? add_shadows(out, from, o)
+                       : e->shadow == SIM_SHADOW_MAP  ? make_maps(out, model, from, o)
+                                                      : SIM_OK;
+    return status == SIM_OK && e->mirror ? make_mirror(out, o) : status;
 }
 
 void sim_effect_ground_free(struct sim_effect_ground *g)
@@ -206,7 +173,8 @@ void sim_effect_ground_free(struct sim_effect_ground *g)
         return;
     for (uint32_t i = 0; i < g->n_shadows; i++)
         free(g->pos[i]);
-    sim_light_map_free(&g->map);
-    SIM_FREE(g->shadow, g->pos, g->shadowed, g->shadowed_lit);
+    for (int k = 0; k < SIM_LIGHTS_MAX; k++)
+        sim_light_map_free(&g->map[k]);
+    SIM_FREE(g->shadow, g->pos, g->shade);
     free(g);
 }

@@ -162,8 +162,7 @@ int sim_effects_any(const struct sim_effect_options *e)
 
 const char *sim_effects_unreferenced(const struct sim_effect_options *e)
 {
-    return e->has_alpha                        ? "--alpha"
-           : e->filter == SIM_FILTER_MIPMAP    ? "--filter mipmap"
+    return e->has_alpha && e->blend == SIM_BLEND_SCREEN_DOOR ? "--blend screen-door"
            : e->samples > 1                    ? "--samples 4"
            : e->dither != SIM_DITHER_NONE      ? "--dither"
            : e->shadow == SIM_SHADOW_PLANAR    ? "--shadow planar"

@@ -55,7 +55,7 @@ struct sim_effect_options {
     { "Effects", SIM_OPTION_HEADING },                                                                                \
         { "--specular", SIM_OPTION_TEXT, offsetof(type, member.specular_text), .value = "POWER:STRENGTH",             \
           .help = "highlights by Blinn-Phong, sharper with more POWER, at most 128; STRENGTH at most 1; with "        \
-                  "--shade smooth or textured" },                                                                     \
+                  "--shade flat, smooth or textured" },                                                               \
         { "--per-pixel", SIM_OPTION_FLAG, offsetof(type, member.per_pixel),                                           \
           .help = "light at each pixel from interpolated normals (Phong shading); with --shade smooth or "        \
                   "textured" },                                                                                       \
@@ -75,7 +75,7 @@ struct sim_effect_options {
           .help = "how: mixed, added, or as a pattern of whole pixels, which needs no order (alpha)" },               \
         { "--filter", SIM_OPTION_CHOICE, offsetof(type, member.filter), .words = "nearest|bilinear|mipmap",           \
           .help = "how texels are read: the nearest; mixed of four; from a smaller image where the texture is far "   \
-                  "(nearest)" },                                                                                      \
+                  "(nearest); of an --environment, too" },                                                            \
         { "--samples", SIM_OPTION_COUNT, offsetof(type, member.samples), .words = "1|4",                              \
           .help = "samples a pixel; of 4 the colour is the mean (1)" },                                               \
         { "--fog", SIM_OPTION_TEXT, offsetof(type, member.fog_text), .value = "FOG",                                  \
@@ -86,13 +86,13 @@ struct sim_effect_options {
           .help = "spread what the panel's colours cannot show: by a Bayer matrix, or by blue noise (none)" },        \
         { "--shadow", SIM_OPTION_CHOICE, offsetof(type, member.shadow), .words = "none|planar|map",                   \
           .help =                                                                                                     \
-              "a floor below the model, and the model's shadow on it: flattened, or by a shadow map, which falls "    \
-              "on the model too (none)" },                                                                            \
+              "a floor below the model, and the model's shadow on it: flattened, or by a shadow map of each light, "  \
+              "which falls on the model too (none)" },                                                                \
         { "--environment", SIM_OPTION_FILE, offsetof(type, member.environment), .value = "IMAGE",                     \
           .help = "the model reflects this picture of a sphere (matcap)" },                                           \
     {                                                                                                                 \
         "--mirror", SIM_OPTION_FLAG, offsetof(type, member.mirror),                                                   \
-            .help = "a floor below the model that reflects it"                                                        \
+            .help = "a floor below the model that reflects it; with --shadow every other square of it does"           \
     }
 
 /* What they are where nothing is said. */

@@ -9,6 +9,9 @@
 #include "framing.h"
 #include "quantise.h"
 #include "render_options.h"
+#include "zs_pass.h"
+
+#define SIM_PASSES_MAX 3
 
 struct sim_effect_surface; /* materials of the effect that the model's surface has */
 
@@ -16,9 +19,14 @@ struct sim_effect_ground; /* a floor and what is on it */
 struct sim_effect_hooks;  /* what is done to strips that are drawn */
 
 struct sim_effect_scene {
-    struct zs_scene scene;
+    struct zs_scene scene;        /* of the first pass */
+    struct zs_scene later[SIM_PASSES_MAX - 1];
+    struct zs_pass pass[SIM_PASSES_MAX];
+    uint32_t n_passes;            /* 1: one frame, without passes */
     struct zs_camera camera;
-    struct zs_instance *instance; /* [scene.n_instances] */
+    struct zs_instance *model;    /* its parts */
+    struct zs_instance *instance; /* of all passes */
+    struct zs_mesh *ghost;        /* without triangles, of parts that a pass has for their reach alone */
     struct sim_effect_surface *surface;
     struct sim_effect_hooks *hooks;
     struct sim_effect_ground *ground; /* NULL: none */
@@ -40,9 +48,6 @@ struct sim_pools sim_effect_pools(const struct sim_effect_scene *scene, const st
 /* Make the configuration of a plain frame the one that it is drawn by, and its camera and hooks those of that frame.
  * ZS_OK, or an error of zs_fog_set. */
 int sim_effect_config(struct sim_effect_scene *scene, struct zs_config *config);
-
-/* The scene that its mirror shows, in a second pass; NULL: it has none. */
-const struct zs_scene *sim_effect_mirrored(const struct sim_effect_scene *scene);
 
 /* Draw it; config is that of a plain frame. Return as sim_frame_render_to. */
 int sim_effect_draw(const struct sim_effect_scene *scene, struct sim_frame *frame, const struct zs_config *config,

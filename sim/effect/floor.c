@@ -73,3 +73,22 @@ void sim_floor_lay(struct sim_floor *f, const struct sim_model *model, const str
     f->instance.mesh = &f->mesh;
     f->instance.material = &f->material;
 }
+
+void sim_floor_half(struct sim_floor_cells *half, const struct sim_floor *floor, int dark)
+{
+    const int n = SIM_FLOOR_CELLS;
+    uint32_t to = 0;
+    for (int k = 0; k < n * n; k++)
+        for (int i = 2 * k; i < 2 * k + 2 && ((k % n + k / n) & 1) == dark; i++, to++) {
+            memcpy(half->tri[to], floor->tri[i], sizeof half->tri[to]);
+            memcpy(half->face_normal[to], floor->face_normal[i], sizeof half->face_normal[to]);
+            half->face_rgb[to] = floor->face_rgb[i];
+        }
+    half->mesh = floor->mesh;
+    half->mesh.tri = (const uint16_t(*)[3])half->tri;
+    half->mesh.face_normal = (const zs_q1_15(*)[3])half->face_normal;
+    half->mesh.face_rgb = half->face_rgb;
+    half->mesh.n_tris = to;
+    half->instance = floor->instance;
+    half->instance.mesh = &half->mesh;
+}

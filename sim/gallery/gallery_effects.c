@@ -22,6 +22,10 @@ const struct gallery_effect gallery_effects[GALLERY_EFFECTS] = {
       "Light at vertices misses what falls between them." },
     { "per-pixel", "Highlights, light by pixel", POT "--shade smooth --per-pixel --specular 40:0.8",
       "Phong shading: normals are interpolated. Take it for few pixels that shine.", "It costs at each pixel." },
+    { "textured-highlights", "Highlights on a texture",
+      POT "--shade textured --per-pixel --specular 20:0.9 --filter bilinear",
+      "Polished wood, wet stone: light multiplies the texture, the highlight is added on top.",
+      "730 instructions a pixel; at the vertices, without --per-pixel, 54 to 175." },
     { "alpha", "Alpha blending", POT "--shade smooth --alpha 0.5",
       "Glass. Triangles are sorted after the opaque ones, tested against depth and not written.",
       "Crossing faces are mixed in one order: depth sort splits them." },
@@ -46,11 +50,19 @@ const struct gallery_effect gallery_effects[GALLERY_EFFECTS] = {
     { "shadow-map", "Shadow map", POT "--shade smooth --shadow map --light 1,1.2,0.4",
       "Shadows of all on all, by a 16-bit depth map of the light's view.",
       "Edges are steps of texels; 128 KB for 256x256." },
+    { "shadow-lights", "Shadows of two lights, with highlights",
+      POT "--shade smooth --shadow map --light dir:1,1.4,0.6:ffd8a0 --light dir:-1,1.2,0.5:5070ff --specular 40:0.7",
+      "A map for each light, and light at each pixel.", "2,000 instructions a pixel, and the maps' memory." },
     { "environment", "Environment map", POT "--shade smooth --environment IMAGE",
       "Chrome and light from all sides at no cost: a texture that is looked up by the normal.",
       "It does not change when the thing moves." },
     { "mirror", "Mirror", POT "--shade smooth --mirror",
       "A floor, a wall, a rear-view mirror: a pass seen in the mirror's plane alone.", "The scene is walked twice." },
+    { "together", "Together: glass, fog, shadows in a mirror",
+      POT "--shade smooth --alpha 0.6 --specular 30:0.8 --shadow planar --mirror --fog linear:1.6:4.5:2a3a50 "
+          "--samples 4",
+      "Any shader can be a layer; fog comes before the glass and before the mirror, at its own distance.",
+      "Three passes: each walks its part of the scene." },
 };
 
 /* ---- The model ------------------------------------------------------------------------------------------------- */

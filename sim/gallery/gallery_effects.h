@@ -13,7 +13,7 @@ struct gallery_effect {
     const char *take, *fails; /* when to take it, what it gets wrong or costs */
 };
 
-#define GALLERY_EFFECTS 14
+#define GALLERY_EFFECTS 17
 extern const struct gallery_effect gallery_effects[GALLERY_EFFECTS];
 
 /* Draw the card. SIM_OK; SIM_REFUSED, said why. */

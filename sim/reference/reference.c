@@ -63,6 +63,10 @@ struct job {
     int width, height;
     double *z;      /* least distance by pixel so far */
     size_t *winner; /* its triangle, or NO_TRIANGLE */
+    /* Layers, from far to near: the one before by pixel, and the picture so far; else NULL. z and winner are those of
+     * the farthest one nearer than that. */
+    double *last_z, *under;
+    size_t *last;
 };
 
 /* ---- vectors ---- */
@@ -507,6 +511,15 @@ static void lines_at(const struct setup *s, const double base[3], double sx, dou
     }
 }
 
+/* Is it nearer than the layer before, and farther than the one found so far? Of equally far ones the first. */
+static int is_next_layer(const struct job *job, double z, size_t pixel, size_t index)
+{
+    const double last = job->last_z[pixel];
+    const int nearer = z < last || (z == last && job->last[pixel] != NO_TRIANGLE && index > job->last[pixel]);
+
+    return nearer && (job->winner[pixel] == NO_TRIANGLE || z > job->z[pixel]);
+}
+
 static void try_pixel(const struct job *job, const struct setup *s, double value[3], size_t pixel,
                       size_t index)
 {
@@ -515,6 +528,13 @@ static void try_pixel(const struct job *job, const struct setup *s, double value
     if (!is_inside(s, value) || !normalise_weights(value))
         return;
     z = blend(value, s->z[0], s->z[1], s->z[2]);
+    if (job->last) {
+        if (z >= job->camera->near_z && z <= job->camera->far_z && is_next_layer(job, z, pixel, index)) {
+            job->z[pixel] = z;
+            job->winner[pixel] = index;
+        }
+        return;
+    }
     if (z >= job->camera->near_z && z <= job->camera->far_z && z < job->z[pixel]) {
         job->z[pixel] = z;
         job->winner[pixel] = index;
@@ -739,6 +759,14 @@ static void mixed_colour(const struct ref_texture *t, double u, double v, double
     }
 }
 
+/* The colour of the level that a pixel sees; change: of u or v to the next pixel, in texels. */
+static void level_colour(const struct ref_texture *t, double change, double u, double v, double rgb[3])
+{
+    for (; t->half && change >= 1.4142135623730951; change /= 2)
+        t = t->half;
+    mixed_colour(t, u, v, rgb);
+}
+
 /* ---- from visibility to picture ---- */
 
 static void put_colour(struct ref_image *image, size_t pixel, const double rgb[3])
@@ -811,15 +839,44 @@ static void lamps_at_pixel(const struct job *job, const struct ref_triangle *t, 
     }
 }
 
-static void seen_texel(const struct job *job, const struct ref_triangle *t, const struct paint *p,
-                       const double weight[3], struct ref_image *image, size_t pixel, double rgb[3])
+/* The larger change of u or v over a pixel, in texels. */
+static double texels_a_pixel(const struct job *job, const struct setup *s, const struct ref_triangle *t, size_t pixel)
+{
+    const size_t width = (size_t)job->width;
+    const double sx = sample_x(job, (int)(pixel % width)), sy = sample_y(job, (int)(pixel / width));
+    double most = 0;
+
+    for (int down = 0; down < 2; down++) {
+        double uv[2][2];
+
+        for (int k = 0; k < 2; k++) {
+            double base[3], weight[3];
+
+            row_base(s, sy + (down ? k - 0.5 : 0), base);
+            for (int i = 0; i < 3; i++)
+                weight[i] = s->line[i][0] * (sx + (down ? 0 : k - 0.5)) + base[i];
+            normalise_weights(weight);
+            for (int i = 0; i < 2; i++)
+                uv[k][i] = blend(weight, t->uv[0][i], t->uv[1][i], t->uv[2][i]);
+        }
+        most = fmax(most, fmax(fabs(uv[1][0] - uv[0][0]) * t->texture->width,
+                               fabs(uv[1][1] - uv[0][1]) * t->texture->height));
+    }
+    return most;
+}
+
+static void seen_texel(const struct job *job, const struct setup *s, const struct ref_triangle *t,
+                       const struct paint *p, const double weight[3], struct ref_image *image, size_t pixel,
+                       double rgb[3])
 {
     double u = blend(weight, t->uv[0][0], t->uv[1][0], t->uv[2][0]);
     double v = blend(weight, t->uv[0][1], t->uv[1][1], t->uv[2][1]);
     double light = blend(weight, p->light[0], p->light[1], p->light[2]), diffuse[3], more[3];
     size_t index = texel_index(t->texture, u, v);
 
-    if (t->texture->bilinear)
+    if (t->texture->half)
+        level_colour(t->texture, texels_a_pixel(job, s, t, pixel), u, v, rgb);
+    else if (t->texture->bilinear)
         mixed_colour(t->texture, u, v, rgb);
     else
         texel_colour(t->texture, index, rgb);
@@ -854,7 +911,17 @@ static void seen_fog(const struct job *job, size_t pixel, double rgb[3])
     const double part = fog ? ref_fog_at(fog, job->z[pixel]) : 0;
 
     for (int c = 0; c < 3 && fog; c++)
-        rgb[c] += part * (fog->rgb[c] - rgb[c]);
+        rgb[c] += part * ((job->light->layers == REF_ADD ? 0 : fog->rgb[c]) - rgb[c]);
+}
+
+/* Lay a layer's colour over what is there. */
+static void lay_over(const struct job *job, const double under[3], double rgb[3])
+{
+    const double alpha = job->light->alpha;
+
+    for (int c = 0; c < 3; c++)
+        rgb[c] = job->light->layers == REF_ADD ? fmin(under[c] + alpha * rgb[c], 1)
+                                               : alpha * rgb[c] + (1 - alpha) * under[c];
 }
 
 /* Shades the visible pixels. A triangle's setup is made again here, once for each run of pixels. */
@@ -873,6 +940,8 @@ static void resolve(const struct job *job, uint16_t background, struct ref_image
         put_depth(job, image, i);
         put_texture(image, i, NULL, (double)NAN, (double)NAN, 0);
         unpack(background, rgb);
+        if (job->under)
+            memcpy(rgb, job->under + 3 * i, sizeof rgb);
         if (t && winner != current) {
             setup_triangle(job, t, &s);
             paint(job, t, &p);
@@ -881,13 +950,56 @@ static void resolve(const struct job *job, uint16_t background, struct ref_image
         if (t)
             weights_at(job, &s, i, weight);
         if (t && is_textured(t))
-            seen_texel(job, t, &p, weight, image, i, rgb);
+            seen_texel(job, &s, t, &p, weight, image, i, rgb);
         else if (t)
             seen_colour(job, t, &p, weight, rgb);
         if (t)
             seen_fog(job, i, rgb);
+        if (t && job->under)
+            lay_over(job, job->under + 3 * i, rgb);
+        if (job->under)
+            memcpy(job->under + 3 * i, rgb, sizeof rgb);
         put_colour(image, i, rgb);
     }
+}
+
+/* Every layer, from far to near. What is seen of the nearest stays in the other buffers. */
+static int draw_layers(struct job *job, uint16_t background, struct ref_image *image)
+{
+    const size_t pixels = (size_t)job->width * (size_t)job->height;
+    struct ref_image colours = { .rgb565 = image->rgb565, .rgb = image->rgb };
+    double *const nearest = job->z, *const z = malloc(pixels * sizeof *z);
+    size_t found = 1;
+
+    job->under = malloc(3 * pixels * sizeof *job->under);
+    job->last_z = malloc(pixels * sizeof *job->last_z);
+    job->last = malloc(pixels * sizeof *job->last);
+    if (!job->under || !job->last_z || !job->last || !z) {
+        free(z);
+        return REF_NO_MEMORY;
+    }
+    job->z = z;
+    for (size_t i = 0; i < pixels; i++) {
+        unpack(background, job->under + 3 * i);
+        job->last_z[i] = INFINITY;
+        job->last[i] = NO_TRIANGLE;
+    }
+    while (found) {
+        found = 0;
+        for (size_t i = 0; i < pixels; i++)
+            job->winner[i] = NO_TRIANGLE;
+        draw_all(job, NULL, NULL);
+        resolve(job, background, &colours);
+        for (size_t i = 0; i < pixels; i++)
+            if (job->winner[i] != NO_TRIANGLE) {
+                job->last_z[i] = job->z[i];
+                job->last[i] = job->winner[i];
+                found++;
+            }
+    }
+    job->z = nearest;
+    free(z);
+    return REF_OK;
 }
 
 /* z is the caller's own buffer if wanted, so that it comes out filled. */
@@ -909,6 +1021,9 @@ static int job_alloc(struct job *job, const struct ref_image *image)
 static void job_free(struct job *job, const struct ref_image *image)
 {
     free(job->winner);
+    free(job->under);
+    free(job->last_z);
+    free(job->last);
     if (!image->z)
         free(job->z);
 }
@@ -917,7 +1032,7 @@ int ref_render(const struct ref_triangle *triangles, size_t n, const struct ref_
                const struct ref_light *light, const struct ref_depth *depth, uint16_t background,
                int width, int height, struct ref_image *image, ref_progress progress, void *user)
 {
-    struct job job = { triangles, n, camera, light, depth, width, height, NULL, NULL };
+    struct job job = { triangles, n, camera, light, depth, width, height, NULL, NULL, NULL, NULL, NULL };
     int status;
 
     if (!job_is_valid(&job, image))
@@ -927,6 +1042,8 @@ int ref_render(const struct ref_triangle *triangles, size_t n, const struct ref_
         draw_all(&job, progress, user);
         resolve(&job, background, image);
     }
+    if (status == REF_OK && light && light->layers != REF_OPAQUE)
+        status = draw_layers(&job, background, image);
     job_free(&job, image);
     return status;
 }

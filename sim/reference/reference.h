@@ -35,7 +35,7 @@
 enum ref_status {
     REF_OK = 0,
     REF_BAD_ARGUMENT = -1, /* an argument out of the range given at its declaration */
-    REF_NO_MEMORY = -2     /* scratch memory (at most 16 bytes a pixel) could not be had */
+    REF_NO_MEMORY = -2     /* scratch memory (at most 16 bytes a pixel, with layers 80) could not be had */
 };
 
 enum ref_shade {
@@ -73,6 +73,9 @@ struct ref_texture {
     const uint16_t *rgb565; /* [height][width], codes / 31, / 63, / 31; or NULL */
     int clamp_u, clamp_v;   /* flags */
     int bilinear;           /* flag: texels are mixed of the four whose centres are around the point */
+    /* Mipmaps: this picture at half its width and height; NULL: none. Level k is seen, from 0 on, where the larger
+     * change of u or v to the next pixel, in texels of this one, is 2^(k - 1/2) and more; bilinear in the level. */
+    const struct ref_texture *half;
 };
 
 /*
@@ -136,6 +139,8 @@ struct ref_fog {
     double rgb[3];     /* 0..1 */
 };
 
+enum ref_layers { REF_OPAQUE = 0, REF_MIX = 1, REF_ADD = 2 };
+
 /* One light at infinity. intensity = ambient + diffuse * max(0, n . dir); colour * intensity is
  * clamped to 0..1 by channel, at the vertex or face, before any interpolation. With a texture the
  * intensity is interpolated and texel * intensity is clamped at the pixel. */
@@ -151,6 +156,11 @@ struct ref_light {
     const struct ref_lamp *lamp; /* [n_lamps]; NULL: the light above */
     int n_lamps;
     int per_pixel;             /* flag; smooth modes with lamps */
+    /* How all triangles are laid over each other and the background: REF_OPAQUE; else every layer of a pixel, from far
+     * to near by its own distance: colour * alpha + what is behind * (1 - alpha), or + what is behind, at most 1. At
+     * equal distances the earlier triangle is behind. Fog is on each layer; with REF_ADD it takes light away. */
+    int layers;   /* enum ref_layers */
+    double alpha; /* 0..1 */
     const struct ref_fog *fog; /* NULL: none. Where nothing is drawn there is none */
 };
 

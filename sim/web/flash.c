@@ -211,8 +211,9 @@ static int can_take(const struct sim_drawn_scene *d)
                           web.name);
     if (d->samples > 1)
         return sim_refuse(web.name, 0, "four samples a pixel are not in the prebuilt show; leave --samples 1");
-    if (d->mirrored != NULL)
-        return sim_refuse(web.name, 0, "a mirror is not in the prebuilt show; leave --mirror out");
+    if (d->passes > 1)
+        return sim_refuse(web.name, 0, "a mirror is not in the prebuilt show, nor is fog behind what is transparent; "
+                                       "leave --mirror out, or --fog");
     for (uint32_t i = 0; i < d->scene->n_resolves; i++)
         if (d->scene->resolve[i].draw != zs_fog_draw)
             return sim_refuse(web.name, 0, "dithering is not in the prebuilt show; leave --dither out");

@@ -127,7 +127,7 @@ int web_scene_draw(struct sim_rendered *out, const struct demo *scene, const str
 int web_scene_scene(int (*use)(void *ctx, const struct sim_drawn_scene *drawn), void *ctx)
 {
     static struct demo_frame at;
-    struct sim_drawn_scene drawn = { .scene = &at.scene, .camera = &at.camera, .samples = 1 };
+    struct sim_drawn_scene drawn = { .scene = &at.scene, .camera = &at.camera, .passes = 1, .samples = 1 };
     web_scene_config(&drawn.config, web.scene, &web.chosen);
     sim_demo_pose(&at, web.scene, web.time % web.scene->frames, drawn.config.width, drawn.config.height, &web.orbit);
     return use(ctx, &drawn);

@@ -284,6 +284,84 @@ pixel mirror 30 10 000000
 look count out/mirror.png ff0000
 [ "$seen" -ge 17000 ] || wrong "$seen pixels show the ball or its image"
 
+# ---- Together --------------------------------------------------------------------------------------------------------
+# Which pairs are drawn is in effect_pairs.sh; here is that what is drawn is right.
+begin fog_of_glass # red glass in half of the fog over nothing: (red + blue) / 2 of alpha 1/2; where it ends, black
+effect glass quad.obj $plain $bare --color ff0000 --alpha 0.5 --fog linear:20:220:0000ff
+codes glass 80 80 80 80 7750 0 7750
+pixel glass 20 20 000000
+effect added quad.obj $plain $bare --color ff0000 --alpha 0.5 --blend add --fog linear:20:220:0000ff
+codes added 80 80 80 80 7750 0 0
+top='--projection orthographic --eye 0,120,1 --at 0,0,0 --fov 90 --near 20 --far 420'
+begin fog_behind_glass # a floor beyond the fog, 180 to 190 away, and a card of glass before all fog
+obj lid 'v -50 30 50' 'v 50 30 50' 'v 50 30 -50' 'v -50 30 -50' 'v -1 -60 1' 'v 1 -60 1' 'v 0 -60 -1' \
+    'f 1 2 3 4' 'f 5 6 7'
+effect lid lid.obj $top $bare --color ff0000 --alpha 0.5 --fog linear:95:120:0000ff --light 0,1,0 --shadow planar
+codes lid 100 100 10 10 15500 0 15500
+pixel lid 100 20 0000ff
+begin fog_in_a_mirror # what is seen in it is as far away as the light's way is long
+slanted='--projection orthographic --eye 0,84.85,84.85 --at 0,0,0 --fov 90 --near 20 --far 420'
+effect fog ball.obj $slanted $bare --color ff0000 --mirror --fog linear:130:131:0000ff
+pixel fog 120 120 ff0000
+pixel fog 120 206 0000ff
+pixel fog 120 232 0000ff
+pixel fog 30 10 000000
+effect far ball.obj $slanted $bare --color ff0000 --mirror --fog linear:300:301:0000ff
+effect clear ball.obj $slanted $bare --color ff0000 --mirror
+same_png far clear
+begin glass_in_a_mirror # half red over black, over its image, and over the mirror's grey
+effect glass ball.obj $slanted $bare --color ff0000 --mirror --alpha 0.5
+pixel glass 120 60 840000
+effect image ball.obj $slanted $bare --color ff0000 --mirror --alpha 1
+pixel image 120 206 ff0000
+look pixel out/glass.png 120 232
+case $seen in 9[0-9a-f]1[0-9a-f]1[0-9a-f]) ;; *) wrong "the image of glass is $seen" ;; esac
+begin mirror_in_shadow # every other cell mirrors, the others have the shadow
+up='--color ff0000 --shade smooth --light 0,1,0.2'
+effect glass ball.obj $slanted $up --mirror
+for kind in planar map; do
+    effect tiles ball.obj $slanted $up --mirror --shadow $kind
+    effect matt ball.obj $slanted $up --shadow $kind
+    look mixed out/tiles.png out/matt.png out/glass.png
+    [ "$kind" = map ] || is "pixels that are of neither" "$(word 1 $seen)" 0 # maps shade the model in another way
+    [ "$(word 2 $seen)" -ge 3000 ] && [ "$(word 3 $seen)" -ge 3000 ] || wrong "of each floor with $kind: $seen"
+done
+begin shadows_with_highlights # at each pixel, and as without them where there is neither
+effect map ball.obj $top --light dir:1,1,0 --shadow map --shade smooth
+effect gloss ball.obj $top --light dir:1,1,0 --shadow map --shade smooth --specular 20:1
+for at in '21 121' '208 121'; do
+    # shellcheck disable=SC2086
+    look codes out/map.png $at 3 1
+    # shellcheck disable=SC2086
+    codes gloss $at 3 1 $seen
+done
+effect phong ball.obj $top --light dir:1,1,0 --shade smooth --per-pixel --specular 20:1
+look codes out/phong.png 140 119 3 2
+# shellcheck disable=SC2086
+codes gloss 140 119 3 2 $seen
+begin shadows_of_two_lights # one from each side: each shadow has the light of the other
+effect two ball.obj $top --light dir:1,1,0 --light dir:-1,1,0 --shadow map --shade smooth --diffuse 0.4
+effect one ball.obj $top --light dir:1,1,0 --shadow map --shade smooth --diffuse 0.4
+look codes out/one.png 208 121 3 1
+# shellcheck disable=SC2086
+codes two 21 121 3 1 $seen
+# shellcheck disable=SC2086
+codes two 208 121 3 1 $seen
+begin shadow_map_of_faces # where nothing is in shadow, a face is what it is without
+effect map quad.obj $plain --shade flat --light 0,0,1 --shadow map
+effect alone quad.obj $plain --shade flat --light 0,0,1
+look codes out/alone.png 80 80 80 80
+# shellcheck disable=SC2086
+codes map 80 80 80 80 $seen
+effect default ball.obj --light 1,1,0.3 --shadow map
+effect flat ball.obj --light 1,1,0.3 --shadow map --shade flat
+same_png default flat
+begin glass_with_highlights # half of what is opaque, on black
+effect opaque ball.obj $plain --shade smooth --color 804020 --light dir:0,0,1 --specular 20:0.5
+effect glass ball.obj $plain --shade smooth --color 804020 --light dir:0,0,1 --specular 20:0.5 --alpha 0.5 --cull back
+look halves out/opaque.png out/glass.png
+[ "$seen" -le 1 ] || wrong "$seen codes off"
+
 # ---- Pools -----------------------------------------------------------------------------------------------------------
 begin one_pass_where_pools_are_not_asked_for # the floor, shadows and the mirror's image count, near planes too
 for with in '--shadow planar' '--shadow map --shade smooth' '--shadow planar --alpha 0.5 --blend screen-door' --mirror \
@@ -325,6 +403,20 @@ compared bilinear 2 card.obj $plain $bare --shade textured --texture two.png --t
 # shellcheck disable=SC2086
 compared textures_in_lamps 2 card.obj $plain --shade textured --texture two.png --texture-format 565 $lamps \
     --specular 9:0.5 --per-pixel
+# Layers: of what the picture shows at a pixel each, by their true distances; edges of those behind are not compared by
+# triangles, so that a code more is for them
+for kind in alpha add; do
+    compared "layers_$kind" 3 ball.obj $plain --shade smooth --alpha 0.5 --blend $kind --cull none
+done
+# shellcheck disable=SC2086
+compared layers_in_lamps 1 ball.obj $plain --shade smooth --alpha 0.5 --cull none $lamps --specular 60:1
+compared layers_in_fog 1 ball.obj $plain --shade smooth --alpha 0.5 --cull none --fog linear:60:180:8080ff
+compared highlights_of_faces 1 ball.obj $plain --shade flat --specular 20:0.8
+# Mipmaps: the level by the exact change of the coordinates, where ours goes by the distance alone
+compared mipmap 9 skin.obj --size 160x160 --eye 300,420,760 --at 0,-20,0 --shade textured --texture fine.png \
+    --filter mipmap
+compared mipmap_layers 9 card.obj --eye 0,-300,80 --at 0,0,0 --shade textured --texture fine.png --filter mipmap \
+    --alpha 0.5
 echo 'newmtl shiny
 Kd 0.2 0.4 0.6
 Ks 0.8 0.8 0.8
@@ -366,27 +458,21 @@ usage lights_mixed 'write it as dir:x,y,z' render quad.obj --out refused/old.png
 usage specular 'POWER:STRENGTH' render quad.obj --out refused/old.png --specular 20
 usage fog 'linear:START:END:RRGGBB or exp:DENSITY:RRGGBB' render quad.obj --out refused/old.png --fog thick
 usage blend_alone '--blend needs --alpha' render quad.obj --out refused/old.png --blend add
-usage two_floors 'are two floors' render quad.obj --out refused/old.png --mirror --shadow planar
 usage filter_without_texture '--filter needs --shade textured' render quad.obj --out refused/old.png --filter bilinear
-usage two_shaders 'take one of them' render quad.obj --out refused/old.png --shade smooth --alpha 0.5 --per-pixel
 usage samples_and_keys '--depth-out with --samples 4' render quad.obj --out refused/old.png --samples 4 \
     --depth-out d.pgm
 usage effects_and_method 'effects are drawn by --method zbuffer' render quad.obj --out refused/old.png --samples 4 \
     --method painter
-for effect in '--alpha 0.5' '--samples 4' '--shadow planar' '--mirror'; do
+for effect in '--blend screen-door' '--samples 4' '--shadow planar' '--mirror'; do
     # shellcheck disable=SC2086
-    usage "compared_$(echo "${effect%% [0-9p]*}" | tr -d -)" "${effect%% 0.5} is not known to the reference" \
-        render quad.obj --out refused/old.png $effect --compare
+    usage "compared_$(echo "${effect%% [0-9ps]*}" | tr -d -)" "$effect is not known to the reference" \
+        render quad.obj --out refused/old.png --alpha 0.5 $effect --compare
 done
-usage mirror_and_fog '--mirror leaves no keys' render quad.obj --out refused/old.png --mirror --fog exp:1:ffffff
-usage mirror_and_glass '--mirror covers transparent faces' render quad.obj --out refused/old.png --mirror --alpha 0.5
 usage environment_flat '--environment needs --shade smooth' render quad.obj --out refused/old.png --environment two.png
-usage shadow_map_flat '--shadow map needs --shade smooth or textured' render quad.obj --out refused/old.png --shadow map
-usage shadow_map_of_two '--shadow map is of one light' render quad.obj --out refused/old.png --shade smooth \
-    --shadow map --light dir:1,2,3 --light point:1,2,300
+usage shadow_map_unlit '--shadow map needs --shade flat, smooth or textured' render quad.obj --out refused/old.png \
+    --shadow map --shade unlit
 refuse shadow_map_from_inside 'move it to 78 or more' ball.obj --shade smooth --shadow map --light point:1,2,3
 refuse shadow_planar_from_beside 'the light is 21.2 above the floor, and the model reaches up to 121.2' ball.obj \
     --light point:200,-40,0 --shadow planar
-usage fog_of_glass 'transparent faces do not write' render quad.obj --out refused/old.png --alpha 0.5 --fog exp:1:ffffff
 finish
 [ $n_failed -eq 0 ]

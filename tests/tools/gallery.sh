@@ -23,9 +23,9 @@ for m in $methods; do
     "$zsim" render --help | grep -q "[|  ]$m" || wrong "zsim render --help does not name $m"
 done
 is "pictures in the page" "$(grep -c 'src="data:image/png;base64,' page/index.html)" \
-    $(($(echo $methods | wc -w) * 8 + 14))
-for e in lights per-pixel alpha add screen-door bilinear mipmap samples fog dither shadow-planar shadow-map \
-    environment mirror; do
+    $(($(echo $methods | wc -w) * 8 + 17))
+for e in lights per-pixel textured-highlights alpha add screen-door bilinear mipmap samples fog dither shadow-planar \
+    shadow-map shadow-lights environment mirror together; do
     grep -q "<section id=$e " page/index.html || wrong "no card of $e"
 done
 grep -q 'src="[^d]\|href=' page/index.html && wrong "the page needs another file"

@@ -6,6 +6,8 @@
  *   look codes F.png X Y W H           "R G B": mean codes of RGB565 over a rectangle, in thousandths
  *   look halved BIG.png SMALL.png      is each pixel of SMALL the mean of 2x2 of BIG, by code, rounded to nearest,
  *                                      halves up? "COUNT" of pixels that are not the same four times
+ *   look halves FULL.png HALF.png      "MOST": by how many codes HALF is off half of FULL, rounded up, at most
+ *   look mixed F.png A.png B.png       "NEITHER A B": pixels of F that are as in neither; as in A alone; as in B alone
  *   look texels F.png <LIST            lines "X Y COLUMN ROW": what texel of fixture's `numbers` is
  *                                      there? "COUNT SAME MOST_APART", the last in texels each way
  *   look decode F.png I.u32            does the picture of --shade id hold the ids' low 16 bits?
@@ -164,6 +166,35 @@ static void look_halved(const char *big, const char *small)
             mixed += of[0] != of[1] || of[0] != of[2] || of[0] != of[3];
         }
     printf("%zu\n", mixed);
+}
+
+static void look_halves(const char *full, const char *half)
+{
+    const struct picture f = load_png(full), h = load_png(half);
+    int most = 0;
+    if (f.w != h.w || f.h != h.h)
+        wrong("%s and %s have other sizes", full, half);
+    for (size_t i = 0; i < (size_t)f.w * f.h; i++)
+        for (int c = 0; c < 3; c++) {
+            const int shift = c == 0 ? 11 : c == 1 ? 5 : 0, mask = c == 1 ? 63 : 31;
+            const int off = abs((f.px[i] >> shift & mask) - 2 * (h.px[i] >> shift & mask));
+            most = (off + 1) / 2 > most ? (off + 1) / 2 : most;
+        }
+    printf("%d\n", most);
+}
+
+static void look_mixed(const char *file, const char *one, const char *other)
+{
+    const struct picture f = load_png(file), a = load_png(one), b = load_png(other);
+    size_t n[3] = { 0, 0, 0 };
+    if (f.w != a.w || f.h != a.h || f.w != b.w || f.h != b.h)
+        wrong("%s, %s and %s have other sizes", file, one, other);
+    for (size_t i = 0; i < (size_t)f.w * f.h; i++) {
+        n[0] += f.px[i] != a.px[i] && f.px[i] != b.px[i];
+        n[1] += f.px[i] == a.px[i] && f.px[i] != b.px[i];
+        n[2] += f.px[i] != a.px[i] && f.px[i] == b.px[i];
+    }
+    printf("%zu %zu %zu\n", n[0], n[1], n[2]);
 }
 
 static int count_colors(const struct picture *p)
@@ -494,6 +525,10 @@ int main(int argc, char **argv)
         look_codes(argv[2], at);
     } else if (strcmp(what, "halved") == 0 && argc == 4) {
         look_halved(argv[2], argv[3]);
+    } else if (strcmp(what, "halves") == 0 && argc == 4) {
+        look_halves(argv[2], argv[3]);
+    } else if (strcmp(what, "mixed") == 0 && argc == 5) {
+        look_mixed(argv[2], argv[3], argv[4]);
     } else if (strcmp(what, "texels") == 0 && argc == 3) {
         look_texels(argv[2]);
     } else if (strcmp(what, "decode") == 0 && argc == 4) {

@@ -1,5 +1,6 @@
-/* Shadow maps of lamps, directional, of a point and of a spot, on colours and on textures: what is lit, what is dark,
- * against rays to the lamp in doubles; the colours of either, against the shaders that know no shadows.
+/* Shadow maps of lamps, directional, of a point and of a spot, on colours and on textures, lit at the vertices or at
+ * each pixel beside a lamp without a map: what is lit, what is dark, against rays to the lamp in doubles; the colours
+ * of either, against the shaders that know no shadows.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -33,9 +34,10 @@ static const struct zs_mesh box = { .pos = box_pos, .tri = box_tri, .normal = (c
 
 struct place {
     struct zs_instance thing[THINGS], caster[THINGS];
-    struct zs_shadowed_lit material;
+    struct zs_shadowed_phong material; /* begins as a struct zs_shadowed_lit does */
     struct zs_lighting lighting;
-    struct zs_lamp lamp;
+    struct zs_lamp lamp, other;        /* lamps of the lighting: one, or both */
+    struct zs_shine shine;
     struct zs_shadow_map map;
     struct zs_depth_state bias;
     struct zs_scene scene, casters;
@@ -68,10 +70,13 @@ static int place_make(struct place *s, struct prng *p)
     const int kind = prng_pick(p, 3);
     set_lamp(s, p, kind);
     s->lighting = (struct zs_lighting){ .lamp = &s->lamp, .n_lamps = 1, .ambient = ZS_RGB(0x404040) };
-    s->material = (struct zs_shadowed_lit){
+    if (zs_shine_set(&s->shine, 24) != ZS_OK)
+        return -1;
+    s->other = (struct zs_lamp){ .rgb = ZS_RGB(0x4060c0), .dir = { 0, 858993459, 644245094 } };
+    s->material = (struct zs_shadowed_phong){
         .lit = { .material = { .shader = &zs_shade_shadowed_lit, .rgb = ZS_RGB(0xf0e0d0), .texture = &texture },
-                 .lighting = &s->lighting, .emission = ZS_RGB(0x000810) },
-        .map = &s->map
+                 .lighting = &s->lighting, .emission = ZS_RGB(0x000810), .specular = ZS_RGB(0x808080) },
+        .map = { &s->map }
     };
     for (int k = 0; k < THINGS; k++) {
         struct zs_instance *in = &s->thing[k];
@@ -188,15 +193,20 @@ static int apart(uint16_t a, uint16_t b)
     return r > g ? (r > u ? r : u) : g > u ? g : u;
 }
 
+_Static_assert(offsetof(struct zs_shadowed_phong, map) == offsetof(struct zs_shadowed_lit, map), "one for both");
+_Static_assert(offsetof(struct place, other) == offsetof(struct place, lamp) + sizeof(struct zs_lamp), "one array");
+
 /* The same by a shader without shadows: in the lamp's light, or without it. */
-static struct picture plain(struct place *s, const struct zs_config *c, const struct zs_shader *shader, uint32_t lamps)
+static struct picture plain(struct place *s, const struct zs_config *c, const struct zs_shader *shader, int dark)
 {
     const struct zs_shader *own = s->material.lit.material.shader;
+    const struct zs_lighting lighting = s->lighting;
     s->material.lit.material.shader = shader;
-    s->lighting.n_lamps = lamps;
+    s->lighting.lamp += dark;
+    s->lighting.n_lamps -= (uint32_t)dark;
     const struct picture is = picture_draw(c, &s->scene, &s->camera);
     s->material.lit.material.shader = own;
-    s->lighting.n_lamps = 1;
+    s->lighting = lighting;
     return is;
 }
 
@@ -209,12 +219,21 @@ static int rays_case(uint64_t seed)
     CASE_CHECK(place_make(&s, &p) == ZS_OK);
     CASE_CHECK(map_draw(&s, &p) == ZS_OK);
     struct zs_config c = picture_config(W, H, &zs_depth_float);
-    c.varyings = 6;
-    const int textured = prng_pick(&p, 2);
-    if (textured)
-        s.material.lit.material.shader = &zs_shade_shadowed_texture;
-    const struct zs_shader *of = textured ? &zs_shade_texture_gloss : &zs_shade_lit;
-    struct picture bright = plain(&s, &c, of, 1), dim = plain(&s, &c, of, 0);
+    static const struct {
+        const struct zs_shader *shader, *plain;
+    } ways[] = { { &zs_shade_shadowed_lit, &zs_shade_lit },
+                 { &zs_shade_shadowed_texture, &zs_shade_texture_gloss },
+                 { &zs_shade_shadowed_phong, &zs_shade_phong_near },
+                 { &zs_shade_shadowed_texture_phong, &zs_shade_texture_phong } };
+    const uint32_t way = prng_pick(&p, 4);
+    c.varyings = 8;
+    s.material.lit.material.shader = ways[way].shader;
+    if (way >= 2) {
+        s.material.lit.shine = &s.shine;
+        s.lighting.n_lamps = 1 + prng_pick(&p, 2);
+        s.material.lit.flags = prng_pick(&p, 2) ? ZS_LIT_NEAR_VIEWER : 0;
+    }
+    struct picture bright = plain(&s, &c, ways[way].plain, 0), dim = plain(&s, &c, ways[way].plain, 1);
     picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &s.scene, &s.camera);
     CASE_CHECK(is.err == ZS_OK && bright.err == ZS_OK && dim.err == ZS_OK);
@@ -233,8 +252,8 @@ static int rays_case(uint64_t seed)
         (want == LIT ? lights : darks)[s.lamp.kind]++;
         const uint16_t as = want == LIT ? bright.color[i] : dim.color[i];
         if (apart(is.color[i], as) > 1)
-            right = case_wrong("(%d, %d), lamp %d, textured %d, soft %d: %04x, not %04x; it should be %s", i % W, i / W,
-                               s.lamp.kind, textured, s.map.soft, is.color[i], as, want == LIT ? "lit" : "dark");
+            right = case_wrong("(%d, %d), lamp %d, way %d, soft %d: %04x, not %04x; it should be %s", i % W, i / W,
+                               s.lamp.kind, (int)way, s.map.soft, is.color[i], as, want == LIT ? "lit" : "dark");
     }
     picture_free(&is);
     picture_free(&bright);
@@ -245,7 +264,7 @@ static int rays_case(uint64_t seed)
 static void rays(void **state)
 {
     (void)state;
-    CASES(rays_case, 45);
+    CASES(rays_case, 80);
     printf("  pixels, all right: directional %u lit, %u dark; point %u, %u; spot %u, %u\n", lights[0], darks[0],
            lights[1], darks[1], lights[2], darks[2]);
     for (int k = 0; !getenv("ZS_SEED") && k < 3; k++)

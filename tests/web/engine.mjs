@@ -345,6 +345,13 @@ test('web_engine_effects', (is) => {
     is('without again', pico().drawMs, plain.drawMs);
     engine.configure({mirror: true});
     is('a mirror', [ pico().fps, pico().why ], [ null, 'Not known: what a mirror takes was not measured.' ]);
+    engine.configure({mirror: undefined});
+    for (const both of [ {alpha: 0.5, specular: '20:0.5'}, {shadow: 'map', specular: '20:0.5'} ]) {
+        is('two: taken', engine.configure(both).error, '');
+        is('two', [ pico().fps, pico().why ],
+            [ null, 'Not known: what this combination of effects takes was not measured.' ]);
+        engine.configure({alpha: undefined, specular: undefined, shadow: undefined});
+    }
 });
 
 test('web_engine_files', (is) => {

@@ -62,4 +62,5 @@ void zs_buffer_full(struct zs_renderer *r)
 const struct zs_method zs_method_buffer = { .strip = buffer_strip,
                                             .full = zs_buffer_full,
                                             .list = zs_scene_list,
-                                            .passes = 1 };
+                                            .passes = 1,
+                                            .buffer = 1 };

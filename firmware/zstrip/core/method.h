@@ -24,6 +24,8 @@ struct zs_method {
     uint16_t (*list)(struct zs_renderer *r);
     uint8_t passes; /* 1: frames may be drawn in passes (zs_pass.h): a list has the triangles of a
                        pass before those of the next one */
+    uint8_t buffer; /* 1: triangles of shaders without .layer are drawn as by the depth buffer, in
+                       scene order and once */
 };
 
 /* zs_method.list in scene order. */

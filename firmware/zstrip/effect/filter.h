@@ -7,10 +7,24 @@
 
 #include "effect/alpha_texels.h"
 #include "shade/stages.h"
+#include "zs_filter.h"
 
 /* The `fetch` of a texture in place of the instance's (zs_texture_instead): bilinear, of texels in
  * the instance's format. */
 extern const struct zs_texel zs_filter_bilinear;
+
+struct zs_filter_kind {
+    void (*instead)(struct zs_job *job); /* after the shader's start */
+    void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
+    int (*check)(const struct zs_texture *t);
+};
+
+static inline const struct zs_filtered *zs_filtered_of(const struct zs_job *job)
+{
+    return (const struct zs_filtered *)(const void *)job->shader;
+}
+/* zs_filter_kind.run of filters without levels. */
+void zs_filtered_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
 
 /* The three shaders of a filter: unlit, lit for the face, lit at the vertices. check and check_lit
  * are functions; ... are further fields. */

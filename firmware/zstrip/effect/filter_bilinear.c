@@ -240,11 +240,17 @@ static void fetch_bilinear(const struct zs_texture *t, uint16_t *out, int32_t n,
 
 const struct zs_texel zs_filter_bilinear = { .fetch = fetch_bilinear };
 
+static void instead(struct zs_job *job)
+{
+    zs_texture_instead(job)->format = &zs_filter_bilinear;
+}
+
 static void bilinear_start(struct zs_job *job)
 {
     zs_texture_start(job);
-    zs_texture_instead(job)->format = &zs_filter_bilinear;
+    instead(job);
 }
 
 ZS_FILTER_SHADERS(bilinear, bilinear_start, zs_texture_run, zs_texture_usable,
                   zs_texture_lit_usable, .opaque = 1);
+const struct zs_filter_kind zs_filter_linear = { .instead = instead, .run = zs_filtered_run };

@@ -177,5 +177,5 @@ static int layers_begin(struct zs_renderer *r)
 
 const struct zs_method zs_method_transparent = {
     .begin = layers_begin, .strip = layers_strip, .full = layers_full, .list = layers_list,
-    .passes = 1
+    .passes = 1, .buffer = 1
 };

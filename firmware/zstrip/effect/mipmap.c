@@ -196,9 +196,8 @@ static void fetch_level(const struct zs_texture *t, uint16_t *out, int32_t n,
 
 static const struct zs_texel nearest = { .fetch = fetch_level };
 
-static void start(struct zs_job *job, const struct zs_texel *format)
+static void instead(struct zs_job *job, const struct zs_texel *format)
 {
-    zs_texture_start(job);
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     struct zs_texture *const t = zs_texture_instead(job);
     t->format = format;
@@ -210,23 +209,39 @@ static void start(struct zs_job *job, const struct zs_texel *format)
         perspective(job, in->material->texture, in->mesh->uv_bits);
 }
 
+static void levels(struct zs_job *job)
+{
+    instead(job, &nearest);
+}
+
+static void levels_linear(struct zs_job *job)
+{
+    instead(job, &zs_filter_bilinear);
+}
+
 static void mipmap_start(struct zs_job *job)
 {
-    start(job, &nearest);
+    zs_texture_start(job);
+    levels(job);
 }
 
 static void mipmap_bilinear_start(struct zs_job *job)
 {
-    start(job, &zs_filter_bilinear);
+    zs_texture_start(job);
+    levels_linear(job);
 }
 
 /* ---- Runs ------------------------------------------------------------------------------------ */
 
-static void mipmap_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+typedef void run_fn(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
+
+/* Draw pixels by `run`, a constant, each from its level. */
+ZS_ALWAYS_INLINE void by_level(struct zs_job *job, const struct zs_row *row, int32_t from,
+                               int32_t to, run_fn *run)
 {
     const uint32_t n = job->sampler.texture->n_levels;
     if (job->sub_log2 == ZS_AFFINE || n <= 1) {
-        zs_texture_run(job, row, from, to);
+        run(job, row, from, to);
         return;
     }
     const uint32_t last = level_at(job, n, to - 1, row->y);
@@ -243,10 +258,31 @@ static void mipmap_run(struct zs_job *job, const struct zs_row *row, int32_t fro
             }
         }
         level_use(job, level);
-        zs_texture_run(job, row, from, end);
+        run(job, row, from, end);
         from = end;
     }
 }
+
+static void mipmap_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    by_level(job, row, from, to, zs_texture_run);
+}
+
+static void filtered_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    by_level(job, row, from, to, zs_filtered_run);
+}
+
+static int levels_check(const struct zs_texture *t)
+{
+    return levels_fit(t) ? ZS_OK : ZS_ERR_TEXTURE;
+}
+
+const struct zs_filter_kind zs_filter_levels = { .instead = levels, .run = filtered_run,
+                                                 .check = levels_check };
+const struct zs_filter_kind zs_filter_levels_linear = { .instead = levels_linear,
+                                                        .run = filtered_run,
+                                                        .check = levels_check };
 
 ZS_FILTER_SHADERS(mipmap, mipmap_start, mipmap_run, mipmap_check, mipmap_check_lit, .opaque = 1);
 ZS_FILTER_SHADERS(mipmap_bilinear, mipmap_bilinear_start, mipmap_run, mipmap_check,

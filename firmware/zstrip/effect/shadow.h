@@ -6,6 +6,7 @@
 #define ZS_EFFECT_SHADOW_H
 
 #include "core/fx.h"
+#include "shade/persp.h"
 #include "zs_shadow.h"
 
 /* Of zs_shadow_map.drawn: by which camera. */
@@ -65,5 +66,36 @@ static inline uint32_t zs_shadow_share(const struct zs_shadow_map *map, int32_t 
         sum += x * y;
     return sum;
 }
+
+/* over / z as texels beside the middle of the map, q16. */
+static inline int32_t zs_shadow_texels(const struct zs_shadow_map *map, int32_t over, uint32_t z,
+                                       uint32_t rcp, int32_t lz, uint32_t size)
+{
+    const uint32_t far = zs_size32(over) >> 1; /* |over| < 2 z, else beside the map */
+    const int32_t by =
+        (int32_t)(zs_mul_uu(zs_persp_over(far, z, rcp, lz), (uint32_t)map->texels) >> 30);
+    return (int32_t)(size << 15) + (over < 0 ? -by : by);
+}
+
+/* What of the light arrives at a point of a perspective map, 0 .. 256: right, down, distance, and
+ * the map's near, in units of the map. |.| <= 2^31 - 1 */
+static inline uint32_t zs_shadow_cone_share(const struct zs_shadow_map *map, int32_t x, int32_t y,
+                                            int32_t z, int32_t near)
+{
+    if (z <= near)
+        return 256u;
+    const int32_t lz = zs_clz32((uint32_t)z);
+    const uint32_t rcp = zs_recip_inline((uint32_t)z << lz);
+    if (zs_size32(x) >> 1 >= (uint32_t)z || zs_size32(y) >> 1 >= (uint32_t)z)
+        return 256u;
+    const uint32_t past = 0x80000000u - zs_persp_over((uint32_t)near, (uint32_t)z, rcp, lz);
+    const uint32_t key = (uint32_t)(zs_mul_uu(past, (uint32_t)map->keys) >> 31) + 128u; /* q8 */
+    return zs_shadow_share(map, zs_shadow_texels(map, x, (uint32_t)z, rcp, lz, map->w),
+                           zs_shadow_texels(map, y, (uint32_t)z, rcp, lz, map->h),
+                           (int32_t)(key >> 8));
+}
+
+/* The same at a point of the world, q48_16, of either map. */
+uint32_t zs_shadow_at(const struct zs_shadow_map *map, const int64_t pos[3]);
 
 #endif

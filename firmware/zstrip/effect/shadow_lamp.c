@@ -15,12 +15,13 @@ static const struct zs_shadowed_lit *material_of(const struct zs_instance *in)
     return (const struct zs_shadowed_lit *)(const void *)in->material;
 }
 
-/* The place is kept in memory that is a lit palette's otherwise. */
+/* The place is kept in memory that is a lit palette's otherwise, behind what mipmaps keep there. */
+#define PLACE 32
 static struct zs_shadow_place *place_of(const struct zs_job *job)
 {
-    return (struct zs_shadow_place *)(void *)job->r->lit.color;
+    return (struct zs_shadow_place *)(void *)(job->r->lit.color + PLACE);
 }
-_Static_assert(sizeof(struct zs_shadow_place) <= 2 * ZS_LIT_COLORS, "a place fits");
+_Static_assert(sizeof(struct zs_shadow_place) <= 2 * (ZS_LIT_COLORS - PLACE), "a place fits");
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
 
@@ -81,16 +82,6 @@ static inline int32_t moved(int32_t middle, uint32_t varying, int32_t step, int 
     return from < 0 ? middle - by : middle + by; /* |.| <= 2^30 + 2^30 - 1 */
 }
 
-/* over / z as texels beside the middle of the map, q16. */
-static inline int32_t texels(const struct zs_shadow_map *map, int32_t over, uint32_t z,
-                             uint32_t rcp, int32_t lz, uint32_t size)
-{
-    const uint32_t far = zs_size32(over) >> 1; /* |over| < 2 z, else beside the map */
-    const int32_t by =
-        (int32_t)(zs_mul_uu(zs_persp_over(far, z, rcp, lz), (uint32_t)map->texels) >> 30);
-    return (int32_t)(size << 15) + (over < 0 ? -by : by);
-}
-
 /* What of the lamp's light arrives, 0 .. 256. c: varyings, 0 .. 65536 */
 static uint32_t arrives(const struct zs_shadow_map *map, const struct zs_shadow_place *at,
                         const uint32_t c[3])
@@ -99,18 +90,9 @@ static uint32_t arrives(const struct zs_shadow_map *map, const struct zs_shadow_
         return zs_shadow_share(map, moved(at->u, c[0], at->step, 16),
                                moved(at->v, c[1], at->step, 16),
                                (moved(at->z, c[2], at->key_step, 8) + 128) >> 8);
-    const int32_t z = moved(at->z, c[2], at->step, 16);
-    if (z <= at->key_step)
-        return 256u; /* before near */
-    const int32_t x = moved(at->u, c[0], at->step, 16), y = moved(at->v, c[1], at->step, 16);
-    const int32_t lz = zs_clz32((uint32_t)z);
-    const uint32_t rcp = zs_recip_inline((uint32_t)z << lz);
-    if (zs_size32(x) >> 1 >= (uint32_t)z || zs_size32(y) >> 1 >= (uint32_t)z)
-        return 256u;
-    const uint32_t past = 0x80000000u - zs_persp_over((uint32_t)at->key_step, (uint32_t)z, rcp, lz);
-    const uint32_t key = (uint32_t)(zs_mul_uu(past, (uint32_t)map->keys) >> 31) + 128u; /* q8 */
-    return zs_shadow_share(map, texels(map, x, (uint32_t)z, rcp, lz, map->w),
-                           texels(map, y, (uint32_t)z, rcp, lz, map->h), (int32_t)(key >> 8));
+    return zs_shadow_cone_share(map, moved(at->u, c[0], at->step, 16),
+                                moved(at->v, c[1], at->step, 16), moved(at->z, c[2], at->step, 16),
+                                at->key_step);
 }
 
 /* Light at a pixel by channel, uq16_16. first: of the four varyings. */

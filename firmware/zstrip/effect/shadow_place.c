@@ -125,3 +125,26 @@ void zs_shadow_middle(struct zs_shadow_place *at, const struct zs_instance *in,
     at->v = (int32_t)zs_held64(scaled(c[1], map->texels, shift) + map->h * 32768, TEXEL_FAR);
     at->z = (int32_t)zs_held64(scaled(c[2] - map->z_near, map->keys, map->keys_shift + 8), KEY_FAR);
 }
+
+uint32_t zs_shadow_at(const struct zs_shadow_map *map, const int64_t pos[3])
+{
+    int64_t c[3];
+    int32_t whole[3], part[3];
+    for (int k = 0; k < 3; k++) {
+        const int64_t d = pos[k] - map->pos[k] * (int64_t)65536; /* |.| < 2^47 */
+        whole[k] = (int32_t)zs_held64(d >> 16, INT32_MAX / 2);
+        part[k] = (int32_t)(d & 65535);
+    }
+    for (int k = 0; k < 3; k++)
+        c[k] = zs_round_shift(zs_dot(map->rot + 3 * k, whole), 14) +
+               zs_round_shift(zs_dot(map->rot + 3 * k, part), 30);
+    if (map->drawn == ZS_SHADOW_PERSPECTIVE)
+        return zs_shadow_cone_share(map, cone_unit(map, c[0]), cone_unit(map, c[1]),
+                                    cone_unit(map, c[2]), cone_unit(map, map->z_near));
+    const int32_t shift = map->texels_shift + 16;
+    const int64_t u = scaled(c[0], map->texels, shift) + map->w * 32768;
+    const int64_t v = scaled(c[1], map->texels, shift) + map->h * 32768;
+    const int64_t z = scaled(c[2] - map->z_near, map->keys, map->keys_shift + 8);
+    return zs_shadow_share(map, (int32_t)zs_held64(u, TEXEL_FAR), (int32_t)zs_held64(v, TEXEL_FAR),
+                           (int32_t)((zs_held64(z, KEY_FAR) + 128) >> 8));
+}

@@ -70,7 +70,7 @@ static void shadow_span(struct zs_job *job, const struct zs_row *row, int32_t i0
 static int shadow_check(const struct zs_instance *in, const struct zs_config *config)
 {
     const struct zs_depth_state *state = in->depth_state;
-    if (config->depth->span || config->method != &zs_method_buffer)
+    if (config->depth->span || !config->method->buffer)
         return ZS_ERR_DEPTH;
     return state && (state->func != ZS_DEPTH_LESS || state->read_only || state->bias >= 0 ||
                      state->slope_bias)

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "effect/blend.h"
-#include "effect/over.h"
+#include "effect/stipple.h"
 
 /* ---- The pattern ----------------------------------------------------------------------------- */
 
@@ -19,29 +18,22 @@ static const uint8_t bayer[8][8] = {
     { 15, 47, 7, 39, 13, 45, 5, 37 }, { 63, 31, 55, 23, 61, 29, 53, 21 }
 };
 
-/* The pattern of a row of the frame, from column x on: bit k is 1 if pixel x + k is drawn. */
-static uint32_t pattern(const struct zs_blend *m, uint32_t x, uint32_t y)
+uint32_t zs_stipple_pattern(const struct zs_job *job, const struct zs_row *row, uint32_t alpha,
+                            uint32_t phase)
 {
-    const uint32_t level = zs_blend_weight(m->alpha);
-    const uint8_t *const line = bayer[(y + (m->phase >> 3)) & 7u];
+    const uint32_t level = zs_blend_weight(alpha), y = (uint32_t)row->y;
+    const uint32_t x = (uint32_t)(row->x0 + job->r->view.x) + phase;
+    const uint8_t *const line = bayer[(y + (phase >> 3)) & 7u];
     uint32_t bits = 0;
-    x += m->phase;
     for (uint32_t k = 0; k < 8; k++)
         bits |= (uint32_t)(line[(x + k) & 7u] < level) << k;
     return bits * 0x01010101u;
 }
 
-/* The pattern of the job from the first pixel of a row's span on. */
 static uint32_t pattern_of(const struct zs_job *job, const struct zs_row *row)
 {
-    return pattern(zs_blend_of(job), (uint32_t)(row->x0 + job->r->view.x), (uint32_t)row->y);
-}
-
-/* The pattern n >= 0 pixels further on. */
-static inline uint32_t turned(uint32_t bits, int32_t n)
-{
-    const uint32_t by = (uint32_t)n & 7u;
-    return bits >> by | bits << ((32u - by) & 31u);
+    const struct zs_blend *const m = zs_blend_of(job);
+    return zs_stipple_pattern(job, row, m->alpha, m->phase);
 }
 
 /* ---- Pixels ---------------------------------------------------------------------------------- */
@@ -67,27 +59,19 @@ static ZS_NOINLINE void masked(struct zs_job *job, const struct zs_row *row, int
             at[k] = old[k];
 }
 
-/* The bits of n pixels, 1 .. 32. */
-static inline uint32_t bits_of(int32_t n)
-{
-    return UINT32_MAX >> (32 - n);
-}
-
 ZS_ALWAYS_INLINE void run_over(struct zs_job *job, const struct zs_row *row, int32_t from,
                                int32_t to, zs_run_fn *run)
 {
     const uint32_t bits = pattern_of(job, row);
     for (int32_t next; from < to; from = next) {
         next = zs_min32(zs_over_next(row, from), to);
-        masked(job, row, from, next - from, turned(bits, from - row->x0) & bits_of(next - from),
-               run);
+        masked(job, row, from, next - from,
+               zs_stipple_turned(bits, from - row->x0) & zs_stipple_bits(next - from), run);
     }
 }
 
-/* Test the pixels of a piece that have a bit, and write the keys of those that pass. Return their
- * bits. */
-static ZS_NOINLINE uint32_t test_keys(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum,
-                                      uint32_t step, uint32_t bits)
+ZS_NOINLINE uint32_t zs_stipple_test(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum,
+                                     uint32_t step, uint32_t bits)
 {
     const struct zs_blend_rule rule = zs_blend_rule(job);
     const int writes = !job->depth_state || !job->depth_state->read_only;
@@ -112,8 +96,8 @@ ZS_ALWAYS_INLINE void span_over(struct zs_job *job, const struct zs_row *row, in
     const uint32_t bits = pattern_of(job, row);
     for (int32_t next; i0 < i1; i0 = next) {
         next = zs_min32(zs_over_next(row, i0), i1);
-        const uint32_t passed = test_keys(job, job->depth + row->at + i0, next - i0, sum, step,
-                                          turned(bits, i0 - row->x0));
+        const uint32_t passed = zs_stipple_test(job, job->depth + row->at + i0, next - i0, sum,
+                                                step, zs_stipple_turned(bits, i0 - row->x0));
         masked(job, row, i0, next - i0, passed, run);
         sum += zs_wrap_mul(step, next - i0);
     }

@@ -10,6 +10,7 @@
 #include "core/depth.h"
 #include "core/view.h"
 #include "overlay/items.h"
+#include "zs_blend.h"
 #include "zs_fog.h"
 
 #define LN2 2977044472u /* ln 2, uq0_32 */
@@ -95,6 +96,24 @@ static uint32_t level_of(const struct zs_fog *fog, uint32_t key, uint32_t level)
     return level;
 }
 
+/* Set the keys of a level, [*from, *from + *span), without those that mean no surface. */
+static void level_keys(const struct zs_fog *fog, uint32_t level, uint32_t *from, uint32_t *span)
+{
+    uint32_t end = fog->from[level + 1u];
+    *from = fog->from[level];
+    if (fog->sky & ZS_FOG_MASKED && *from == 0 && end)
+        *from = 1;
+    if (fog->sky & ZS_FOG_WINDOWS && end == ZS_DEPTH_CLEAR && *from < end)
+        end--;
+    *span = end - *from;
+}
+
+/* Is there no surface? */
+static int is_sky(const struct zs_fog *fog, uint32_t key)
+{
+    return key == ZS_DEPTH_CLEAR || (key == ZS_DEPTH_CLEAR - 1u && fog->sky & ZS_FOG_WINDOWS);
+}
+
 void zs_fog_draw(void *ctx, const struct zs_target *t)
 {
     const struct zs_fog *fog = ctx;
@@ -106,19 +125,47 @@ void zs_fog_draw(void *ctx, const struct zs_target *t)
         for (; out != end; out++) {
             const uint32_t key = *at++;
             if (key - from >= span) {
-                if (key == ZS_DEPTH_CLEAR) {
-                    *out = fog->sky ? paint.wire : *out;
+                if (is_sky(fog, key)) {
+                    *out = fog->sky & ZS_FOG_SKY ? paint.wire : *out;
                     continue;
                 }
+                if (key == 0 && fog->sky & ZS_FOG_MASKED)
+                    continue;
                 level = level_of(fog, key, level);
                 paint = zs_paint_of(fog->color, level);
-                from = fog->from[level];
-                span = fog->from[level + 1u] - from;
+                level_keys(fog, level, &from, &span);
             }
             if (level)
                 *out = zs_paint_over(&paint, *out);
         }
     }
+}
+
+/* zs_layered.fogged: put fog on n pixels, whose keys are sum / 65536, sum + step, ... dark: it is
+ * black, for light that is added. */
+static void layer_run(const struct zs_fog *fog, uint16_t *px, int32_t n, uint32_t sum,
+                      uint32_t step, int dark)
+{
+    const uint32_t color = dark ? 0u : fog->color;
+    struct zs_paint paint = zs_paint_of(color, 0);
+    uint32_t level = 0, from = 0, span = fog->from[1]; /* the level's keys: [from, from + span) */
+    for (uint16_t *const end = px + n; px != end; px++, sum += step) {
+        const uint32_t key = zs_minu32(sum >> 16, ZS_DEPTH_CLEAR - 1u);
+        if (key - from >= span) {
+            level = level_of(fog, key, level);
+            paint = zs_paint_of(color, level);
+            from = fog->from[level];
+            span = fog->from[level + 1u] - from;
+        }
+        if (level)
+            *px = zs_paint_over(&paint, *px);
+    }
+}
+
+void zs_layered_fog(struct zs_layered *layer, const struct zs_fog *fog)
+{
+    layer->fog = fog;
+    layer->fogged = layer_run;
 }
 
 int zs_fog_changes(void *ctx, struct zs_rect *rect)

@@ -76,8 +76,11 @@ static void clear_to(struct zs_renderer *r, uint32_t k)
     const int32_t top = r->strip * r->config.strip_h;
     for (; list->begun <= k; list->begun++) {
         const struct zs_view *view = &list[list->begun].view;
+        const struct zs_pass *const before = &list->pass[list->begun ? list->begun - 1u : 0u];
         const int32_t from = zs_max32(view->y, top) - top,
                       to = zs_min32(view->y + view->height, top + r->config.strip_h) - top;
+        if (list->begun && before->early)
+            zs_frame_resolve(r, before->scene);
         if (from < to && list->begun != list->now)
             load(r, list->begun); /* the background is its scene's */
         for (int32_t row = from; row < to; row++)
@@ -110,7 +113,7 @@ static void pass_end(struct zs_renderer *r)
         uint32_t before = 0; /* one scene in several passes is resolved once */
         while (pass[before].scene != pass[k].scene)
             before++;
-        if (before == k)
+        if (before == k && (!pass[k].early || k + 1u == list->n))
             zs_frame_resolve(r, pass[k].scene);
     }
 }

@@ -228,6 +228,37 @@ static void hook_row(const char *name, const struct zs_resolve *hook)
         row(name_, &m.lit.material);                                                                                  \
     }
 
+#define PHONG_MAPPED(name_, shader_, lighting_, map_)                                                                 \
+    {                                                                                                                 \
+        const struct zs_shadowed_phong m = {                                                                          \
+            .lit = { .material = { .shader = &shader_, .rgb = ZS_RGB(0xc08040), .texture = &texture },                \
+                     .lighting = &lighting_, .shine = &shine, .specular = ZS_RGB(0xffffff) },                         \
+            .map = { &map_ }                                                                                          \
+        };                                                                                                            \
+        row(name_, &m.lit.material);                                                                                  \
+    }
+
+/* Shaders that are made of others. */
+static void made(void)
+{
+    static struct zs_layered layer;
+    static struct zs_filtered soft;
+    static const struct zs_rgb none = ZS_RGB(0), white = ZS_RGB(0xffffff);
+    int err = zs_layered_set(&layer, &zs_shade_lit, &zs_layer_mix, 100);
+    LIT("a layer of lit", layer.shader, far_light, 0, none)
+    zs_layered_fog(&layer, &fog);
+    LIT("a layer of lit, in fog", layer.shader, far_light, 0, none)
+    err |= zs_layered_set(&layer, &zs_shade_lit, &zs_layer_door, 100);
+    LIT("screen-door of lit", layer.shader, far_light, 0, none)
+    err |= zs_filtered_set(&soft, &zs_shade_texture_gloss, &zs_filter_linear);
+    LIT("texture_gloss, bilinear", soft.shader, far_light, &shine, white)
+    PHONG_MAPPED("shadowed_phong", zs_shade_shadowed_phong, far_light, map)
+    PHONG_MAPPED("shadowed_phong, point", zs_shade_shadowed_phong, above_light, cone)
+    PHONG_MAPPED("shadowed_texture_phong", zs_shade_shadowed_texture_phong, far_light, map)
+    if (err)
+        hal_write("# FAILED: layers and filters\n");
+}
+
 static void colors(void)
 {
     const struct zs_rgb none = ZS_RGB(0), white = ZS_RGB(0xffffff);
@@ -268,6 +299,7 @@ static void textures(void)
     LIT("texture_phong", zs_shade_texture_phong, far_light, &shine, white)
     LAMP_MAPPED("shadowed_texture, soft", zs_shade_shadowed_texture, far_light, map)
     LAMP_MAPPED("shadowed_texture, point", zs_shade_shadowed_texture, above_light, cone)
+    made();
     BLEND("blend_texture_smooth", zs_blend_texture_smooth)
     texture.format = &zs_texel_4444;
     PLAIN("cutout, 4444", zs_shade_cutout)

@@ -29,6 +29,14 @@
         &zs_shade_##name, #name, needs                                                                                \
     }
 
+/* Shaders that are made of others, by effects_make. */
+static struct zs_layered mix_lit, add_gloss, door_phong, mix_shadowed, mix_filtered;
+static struct zs_filtered soft_gloss, soft_phong, soft_shadowed;
+#define MADE(of, needs)                                                                                               \
+    {                                                                                                                 \
+        &of.shader, #of, needs                                                                                        \
+    }
+
 const struct kind_effect kind_effects[EFFECT_KINDS] = { ONE(lit_face, L),
                                                         ONE(lit, L),
                                                         ONE(phong, L),
@@ -48,6 +56,17 @@ const struct kind_effect kind_effects[EFFECT_KINDS] = { ONE(lit_face, L),
                                                         ONE(matcap, T),
                                                         ONE(shadowed_flat, EFFECT_SHADOWED),
                                                         ONE(shadowed_smooth, EFFECT_SHADOWED),
+                                                        ONE(shadowed_lit, EFFECT_LAMP_MAP),
+                                                        ONE(shadowed_texture, EFFECT_LAMP_MAP | T),
+                                                        ONE(shadowed_phong, EFFECT_LAMP_MAP),
+                                                        ONE(shadowed_texture_phong, EFFECT_LAMP_MAP | T),
+                                                        MADE(mix_lit, L),
+                                                        MADE(add_gloss, T | L),
+                                                        MADE(door_phong, L),
+                                                        MADE(mix_shadowed, EFFECT_LAMP_MAP),
+                                                        MADE(mix_filtered, T | L),
+                                                        MADE(soft_phong, T | L),
+                                                        MADE(soft_shadowed, EFFECT_LAMP_MAP | T),
                                                         ONE(disc, 0),
                                                         ONE(shadow, EFFECT_PLAIN),
                                                         ONE(smooth_ordered, 0),
@@ -104,6 +123,8 @@ static void lamps(struct effects *e, struct prng *p, int64_t size)
     e->lighting.lamp = e->lamp;
     e->lighting.n_lamps = one_in(p, 2) ? 1 : prng_pick(p, ZS_LIGHTS_MAX + 1);
     e->lighting.ambient = any_rgb(p);
+    e->single = e->lighting;
+    e->single.n_lamps = 1;
     if (zs_shine_set(&e->shine, 1 + prng_pick(p, 255)))
         abort();
 }
@@ -155,9 +176,26 @@ static void items(struct effects *e, struct prng *p)
     };
 }
 
+static void made(struct effects *e, struct prng *p)
+{
+    const uint8_t alpha = (uint8_t)prng_next(p);
+    if (zs_filtered_set(&soft_gloss, &zs_shade_texture_gloss, &zs_filter_linear) ||
+        zs_filtered_set(&soft_phong, &zs_shade_texture_phong, &zs_filter_levels) ||
+        zs_filtered_set(&soft_shadowed, &zs_shade_shadowed_texture, &zs_filter_levels_linear) ||
+        zs_layered_set(&mix_lit, &zs_shade_lit, &zs_layer_mix, alpha) ||
+        zs_layered_set(&add_gloss, &zs_shade_texture_gloss, &zs_layer_add, alpha) ||
+        zs_layered_set(&door_phong, &zs_shade_phong_near, &zs_layer_door, alpha) ||
+        zs_layered_set(&mix_shadowed, &zs_shade_shadowed_phong, &zs_layer_mix, alpha) ||
+        zs_layered_set(&mix_filtered, &soft_gloss.shader, &zs_layer_mix, alpha))
+        abort();
+    door_phong.phase = (uint8_t)prng_pick(p, 64);
+    zs_layered_fog(prng_pick(p, 2) ? &mix_lit : &add_gloss, &e->fog);
+}
+
 void effects_make(struct effects *e, struct prng *p, int64_t size)
 {
     memset(e, 0, sizeof *e);
+    made(e, p);
     lamps(e, p, size);
     lines(e, p);
     items(e, p);
@@ -167,7 +205,7 @@ void effects_make(struct effects *e, struct prng *p, int64_t size)
     zs_sky_gradient(&e->sky, sky);
     e->fog.color = (uint16_t)prng_next(p);
     e->fog.curve = (uint8_t)prng_pick(p, 2);
-    e->fog.sky = (uint8_t)prng_pick(p, 2);
+    e->fog.sky = (uint8_t)prng_pick(p, 8);
     e->fog.start = within(p, size);
     e->fog.end = (int32_t)(e->fog.start + 1 + (size > 1 << 28 ? 1 << 28 : size));
     e->lift.bias = (int16_t)prng_range(p, -40, -1);
@@ -222,8 +260,14 @@ void effects_cover(struct effects *e, struct prng *p, union effect_material *m, 
     m->material.rgb = any_rgb(p);
     m->material.cull = (uint8_t)prng_pick(p, 3);
     m->material.texture = texture;
-    if (kind->needs & EFFECT_LIT) {
-        m->lit.lighting = &e->lighting;
+    if (kind->needs & EFFECT_LAMP_MAP)
+        for (int i = 0; i < ZS_LIGHTS_MAX; i++)
+            m->phong.map[i] = i == 0 || one_in(p, 2) ? &e->map : NULL;
+    if (kind->needs & (EFFECT_LIT | EFFECT_LAMP_MAP)) {
+        m->lit.lighting = kind->needs & EFFECT_LAMP_MAP ? &e->single : &e->lighting;
+        if (kind->shader == &zs_shade_shadowed_phong || kind->shader == &zs_shade_shadowed_texture_phong ||
+            kind->shader == &mix_shadowed.shader)
+            m->lit.lighting = &e->lighting;
         m->lit.shine = one_in(p, 3) ? NULL : &e->shine;
         m->lit.specular = any_rgb(p);
         m->lit.emission = any_rgb(p);

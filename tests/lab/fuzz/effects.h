@@ -23,7 +23,9 @@ enum effect_needs {
     EFFECT_BUFFER = 2,   /* refused by methods that take a triangle for a wall */
     EFFECT_PLAIN = 4,    /* for the depth buffer and no other method */
     EFFECT_LIT = 8,      /* its material is a struct zs_lit_material, ... */
-    EFFECT_SHADOWED = 16 /* ... a struct zs_shadowed_material; else a struct zs_blend does for all */
+    EFFECT_SHADOWED = 16, /* ... a struct zs_shadowed_material, ... */
+    EFFECT_LAMP_MAP = 32  /* ... a struct zs_shadowed_phong, which begins as a struct zs_shadowed_lit; else a struct
+                             zs_blend does for all */
 };
 
 struct kind_effect {
@@ -32,7 +34,7 @@ struct kind_effect {
     uint8_t needs; /* enum effect_needs, or-ed */
 };
 
-#define EFFECT_KINDS 49
+#define EFFECT_KINDS 60
 extern const struct kind_effect kind_effects[EFFECT_KINDS];
 
 /* Formats with alpha. */
@@ -45,6 +47,7 @@ union effect_material {
     struct zs_lit_material lit;
     struct zs_blend blend;
     struct zs_shadowed_material shadowed;
+    struct zs_shadowed_phong phong;
 };
 
 enum effect_hook { EFFECT_FOG, EFFECT_DITHER, EFFECT_OVERLAY, EFFECT_HOOKS };
@@ -56,7 +59,7 @@ enum effect_hook { EFFECT_FOG, EFFECT_DITHER, EFFECT_OVERLAY, EFFECT_HOOKS };
 /* What such materials and hooks point to. One instance of it a scene; of a fixed address while the scene lives. */
 struct effects {
     struct zs_lamp lamp[ZS_LIGHTS_MAX];
-    struct zs_lighting lighting;
+    struct zs_lighting lighting, single; /* the first lamp alone */
     struct zs_shine shine;
     struct zs_shadow_map map;
     uint16_t key[EFFECT_MAP * EFFECT_MAP];

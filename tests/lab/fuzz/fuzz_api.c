@@ -570,6 +570,7 @@ static void do_begin_passes(struct room *m, struct desk *d, struct prng *p)
     for (uint32_t i = 0; i < n; i++) {
         k = (int)prng_pick(p, 2);
         d->pass[i] = (struct zs_pass){ .scene = i + 1u < n ? &d->behind : &m->w.scene, .camera = &m->camera[k] };
+        d->pass[i].early = (uint8_t)prng_pick(p, 2);
         want = want ? want : m->picture[k].err;
         if (one_in(p, 2))
             d->pass[i].viewport = (struct zs_rect){ 0, 0, d->config.width, d->config.height };

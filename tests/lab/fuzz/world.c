@@ -568,7 +568,7 @@ static void instance_effects(struct world *w, struct effects *e, struct prng *p,
 int world_effects(struct world *w, struct effects *e, struct prng *p, const struct zs_config *config, uint32_t odd)
 {
     const uint32_t without = odd && one_in(p, odd)                  ? 0
-                             : !config->method                      ? 0
+                             : !config->method || config->method == &zs_method_transparent ? 0
                              : config->method == &zs_method_painter ? EFFECT_PLAIN
                                                                     : EFFECT_PLAIN | EFFECT_BUFFER;
     effects_make(e, p, size_of(w));

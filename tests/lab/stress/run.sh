@@ -68,7 +68,7 @@ END
 
 case ${2:-} in
 cut)
-    cases=150
+    cases=230
     failed=0
     for kind in tris frames; do
         rm -f "$S/cut-$kind.txt"

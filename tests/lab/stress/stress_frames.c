@@ -673,6 +673,7 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
     const int32_t w = walls ? W_MAX : side(&p, W_MAX), h = side(&p, H_MAX);
     const struct kind_method *method = &kind_methods[prng_pick(&p, 3) ? 0 : prng_pick(&p, KINDS(kind_methods))];
     world.without = !method->method                         ? 0
+                    : method->method == &zs_method_transparent ? 0
                     : method->method == &zs_method_painter ? EFFECT_PLAIN
                                                             : EFFECT_PLAIN | EFFECT_BUFFER;
     world_open(&p, (uint16_t)h, walls);
