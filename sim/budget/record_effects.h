@@ -70,7 +70,7 @@ static const struct {
     { "M3", "a vertex: texture_phong", 389769 },
     { "M3", "a vertex: matcap", 132807 },
     { "M3", "a vertex: bilinear", 298826 },
-    { "M3", "a vertex: shadowed_smooth", 515211 },
+    { "M3", "a vertex: shadowed_smooth", 533096 },
     { "M3", "a vertex: blend_smooth", 204019 },
     { "M3", "a vertex: blend_texture_smooth", 268750 },
     { "M3", "a vertex: cutout_smooth", 285384 },
