@@ -262,6 +262,10 @@ WEB_EXPORT(stats) const char *web_stats(void)
     sim_stats_frame(&json, &web.drawn.frame, &web.drawn.config);
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++)
         sim_json_number(&json, own[i].name, own[i].value);
+    if (web.scene == NULL) {
+        sim_json_number(&json, "view_near", web.drawn.view.near_z);
+        sim_json_number(&json, "view_far", web.drawn.view.far_z);
+    }
     if (web.chosen.compare) {
         sim_json_number(&json, "wrong_missing", web.wrong.missing);
         sim_json_number(&json, "wrong_extra", web.wrong.extra);

@@ -260,6 +260,19 @@ await test('web_effects_cost', async () => {
     await change(p, 'part', part);
 });
 
+/* The planes' sliders: the middle is what fits, the ends a hundredth and a hundred times of it. */
+await test('web_planes', async () => {
+    const before = await p.value(SUM);
+    same(await p.value(text('out-near')), 'as it fits', 'near');
+    await change(p, 'set-near', '58', 'input');
+    const near = Number(await p.value(text('out-near')));
+    must(near > 0, `near is ${near}`);
+    must((await p.value(SUM)) !== before, 'a nearer plane cuts nothing');
+    must(new RegExp(`--near ${near}( |$)`).test(await p.value(text('command'))), 'the command has it');
+    await change(p, 'set-near', '50', 'input');
+    same(await p.value(text('out-near')), 'as it fits', 'near again');
+    same(await p.value(SUM), before, 'the picture again');
+});
 await test('web_files', async () => {
     const got = await p.value(`new Promise((yes) => { const was = URL.createObjectURL;
         URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };

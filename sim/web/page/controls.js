@@ -7,7 +7,8 @@ import { id, make } from './dom.js';
 const GROUPS = [
     ['Memory', ['strip', 'buffers', 'maxTriangles', 'maxVertices']],
     ['Depth', ['depthMapping', 'depthBits', 'near', 'far']],
-    ['Picture', ['shade', 'method', 'samples', 'textureFormat', 'filter', 'shadow', 'mirror', 'perPixel', 'fov']],
+    ['Picture', ['shade', 'method', 'samples', 'textureFormat', 'filter', 'fov']],
+    ['Light and effects', ['light', 'ambient', 'diffuse', 'perPixel', 'specular', 'shadow', 'mirror', 'fog', 'alpha', 'blend', 'dither']],
 ];
 const LABEL = {
     strip: 'Strip height',
@@ -35,7 +36,21 @@ const LABEL = {
     shadow: 'Shadow',
     lineWidth: 'Width of lines',
     light: 'Light',
+    specular: 'Highlights',
+    blend: 'Transparent by',
+    dither: 'Dithering',
     alpha: 'Opacity',
+};
+/* What texts look like */
+const EXAMPLE = {
+    light: '1,2,3 or point:2,2,2',
+    specular: '20:0.5',
+    fog: 'linear:1:4:808080',
+    background: '203040',
+    color: '4080c0',
+    eye: '0,1,3',
+    at: '0,0,0',
+    up: '0,1,0',
 };
 const UNIT = { strip: 'rows', fov: '°', lineWidth: 'px', depthBits: 'bits' };
 const CHOICE = {
@@ -61,6 +76,8 @@ const ENDS = {
     alpha: [0, 1, 0.05],
     depthBits: [8, 16, 1],
 };
+/* Sliders by factors of what fits, which is in the middle: to a hundredth and a hundred times */
+const FITTED = new Set(['near', 'far']);
 /* Sliders by powers, whose right end is "as many as it takes" */
 const POWERS = { maxTriangles: [16, 8192], maxVertices: [16, 8192] };
 const STEPS = 100;
@@ -107,6 +124,13 @@ export class Controls {
     constructor(change) {
         this.change = change;
         this.fields = new Map();
+        this.fits = { near: 1, far: 1 };
+    }
+
+    /** Where the planes are that fit, of a model whose planes are not set. */
+    planes(near, far) {
+        for (const [name, at] of Object.entries({ near, far }))
+            if (at > 0 && this.fields.get(name)?.option.value === undefined) this.fits[name] = at;
     }
 
     /** Make the fields of all options but those in `elsewhere`. */
@@ -171,6 +195,12 @@ export class Controls {
         } else if (POWERS[name]) {
             input = make('input', { type: 'range', min: 0, max: STEPS, step: 1 });
             input.addEventListener('input', () => this.change(name, many(name, Number(input.value))));
+        } else if (FITTED.has(name)) {
+            input = make('input', { type: 'range', min: 0, max: STEPS, step: 1 });
+            input.addEventListener('input', () => {
+                const by = 100 ** (Number(input.value) / (STEPS / 2) - 1);
+                this.change(name, by === 1 ? undefined : Number((this.fits[name] * by).toPrecision(3)));
+            });
         } else if (ENDS[name]) {
             const [min, max, step] = ENDS[name];
             input = make('input', { type: 'range', min, max, step });
@@ -178,7 +208,7 @@ export class Controls {
         } else {
             input = make('input', { type: kind === 'number' ? 'number' : 'text' });
             if (kind === 'number') input.step = option.step || 'any';
-            input.placeholder = usual ?? (name === 'near' || name === 'far' ? 'as it fits' : '');
+            input.placeholder = usual ?? EXAMPLE[name] ?? '';
             const take = () =>
                 this.change(
                     name,
@@ -200,6 +230,10 @@ export class Controls {
         else if (POWERS[option.name]) {
             input.value = stepOf(option.name, option.value);
             shown.textContent = option.value === undefined ? 'ample' : String(option.value);
+        } else if (FITTED.has(option.name)) {
+            const by = option.value === undefined ? 1 : option.value / this.fits[option.name];
+            input.value = Math.round((STEPS / 2) * (1 + Math.log(by) / Math.log(100)));
+            shown.textContent = option.value === undefined ? 'as it fits' : String(option.value);
         } else if (input.type === 'range') {
             input.value = value;
             shown.textContent = `${Number(input.value) === value ? value : value} ${UNIT[option.name] ?? ''}`.trim();

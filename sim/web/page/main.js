@@ -130,6 +130,7 @@ function draw() {
     }
     if (app.modelError === undefined) say('');
     app.lastFrame = got;
+    app.controls.planes(got.stats.view_near, got.stats.view_far);
     paint();
     tempo(took);
     return true;
