@@ -397,6 +397,19 @@ export class Engine {
         return {[`${name}.c`] : out.c, [`${name}.h`] : out.h};
     }
 
+    /** What is set, as a header for firmware: a renderer with its pools, mapping, method and accelerators.
+     * @returns {string} an EngineError is thrown where there is none */
+    config() {
+        let out = null;
+        const answer = this.#ask(() => {
+            const text = this.#c.config();
+            out = text !== 0 ? this.#text(text) : null;
+            return out === null ? 1 : 0;
+        });
+        if (out === null) throw new EngineError(answer.error);
+        return out;
+    }
+
     /** What is drawn now as the Pico's prebuilt show takes it (firmware/app/show_model.h): its bytes, with addresses of
      * flash from `base` on; `names` are words in them, by place, that become addresses of what the show holds.
      * @param {{frames: number, arena: number, flash: number}} room  frames that go once round it; bytes of RAM and

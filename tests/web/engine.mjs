@@ -369,6 +369,32 @@ test('web_engine_files', (is) => {
         is(end, body(files[end]) === body(readFileSync(`${work}/${end}`, 'utf8')), true);
 });
 
+// The configuration is C that compiles, for an arena of the bytes that are shown.
+test('web_engine_config', (is) => {
+    engine.setModel(ring(12, 8, {normals: true}).model);
+    for (const options of [ {shade: 'smooth'}, {method: 'hiz', strip: 8, depthMapping: 'linear'},
+            {method: 'painter', subpixel: 4, buffers: 1}, {depthBits: 12, maxTriangles: 50, depthMapping: 'recip'} ]) {
+        configure({panel: 'st7789:240x240', ...options});
+        engine.render();
+        const bytes = engine.ram().pools.filter((one) => /strip|keys|tiles|bins|triangles|vert/.test(one.name))
+                          .reduce((n, one) => n + one.bytes, 0);
+        const check = options.method === 'painter' ? '' : `_Static_assert(sizeof screen_arena == ${bytes}, "");`;
+        writeFileSync(`${work}/screen.c`, `${engine.config()}int main(void) { return screen_begin(); }\n${check}\n`);
+        const made = spawnSync('gcc', [ '-std=c11', '-fsyntax-only', '-Wall', '-Wextra', '-Werror', '-Ifirmware/zstrip',
+            `${work}/screen.c` ], {encoding: 'utf8'});
+        is(JSON.stringify(options), made.stderr.split('\n')[0], '');
+    }
+    is('the method', /&zs_method_hiz;/.test((configure({method: 'hiz'}), engine.render(), engine.config())), true);
+    configure({samples: 4});
+    let said = '';
+    try {
+        engine.config();
+    } catch (error) {
+        said = error.message;
+    }
+    is('four samples', /see zs_supersample.h/.test(said), true);
+});
+
 test('web_engine_wrong', (is) => {
     const {text, model} = ring(48, 20, {});
     writeFileSync(`${work}/ring.obj`, text);

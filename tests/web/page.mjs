@@ -278,6 +278,8 @@ await test('web_files', async () => {
         URL.createObjectURL = (b) => { URL.createObjectURL = was; b.text().then(yes); return was(b); };
         document.getElementById('get-h').click(); })`);
     must(/THING_RADIUS/.test(got) && /thing_instance/.test(got), got.slice(0, 80));
+    const config = (await saved('get-config')).toString();
+    must(/ZS_RENDERER_BUFFERS\(screen, 240, 240, \d+,/.test(config), config);
 });
 
 /* What a button hands out as a file. */

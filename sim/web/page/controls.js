@@ -208,7 +208,7 @@ export class Controls {
         } else {
             input = make('input', { type: kind === 'number' ? 'number' : 'text' });
             if (kind === 'number') input.step = option.step || 'any';
-            input.placeholder = usual ?? EXAMPLE[name] ?? '';
+            input.placeholder = usual ?? (EXAMPLE[name] ? `such as ${EXAMPLE[name]}` : '');
             const take = () =>
                 this.change(
                     name,

@@ -232,6 +232,7 @@ function mappingCard() {
                 c.beginPath();
                 c.arc(x, box.bottom, 6, 0, 7);
                 c.fill();
+                if (name === 'at') c.fillStyle = css('--gold-ink');
                 c.fillText(name === 'at' ? length(set.at) : name, Math.min(372, Math.max(28, x)), box.bottom + 20);
             }
         },

@@ -488,6 +488,13 @@ function listen() {
                 name = Object.keys(files).find((n) => n.endsWith(end));
             if (name) download(name, files[name]);
         });
+    id('get-config').addEventListener('click', () => {
+        try {
+            download('screen.h', app.engine.config());
+        } catch (e) {
+            say(e.message);
+        }
+    });
     let depth = 0;
     const veil = (on) => (id('veil').hidden = !on);
     addEventListener('dragenter', (e) => {

@@ -136,7 +136,7 @@ export class Firmware {
             make('b', {}, differ > 0 ? `${count(differ)} pixels differ.` : 'Every pixel is the page\u2019s.'),
             off === null
                 ? ''
-                : ` The first frame was estimated ${off === 0 ? 'to the percent' : `${Math.abs(off)} % too ${off < 0 ? 'short' : 'long'}`}.`,
+                : ` The first frame was estimated ${off ? `${Math.abs(off)} % too ${off < 0 ? 'short' : 'long'}` : 'to half a percent'}.`,
         );
     }
 
