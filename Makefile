@@ -43,12 +43,12 @@ test: $(B)/.setup-test
 	+@$(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut $(B)/web/index.html
 	@sh tests/run.sh $(B)
 
-## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute
+## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute;
+##     make t T=raster: those whose name holds that, as make test has them
 quick: $(B)/.setup-test
 	+@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' unit-programs mutate-link
 	@sh tests/quick.sh $(B)/quick $(UNITS)
 
-## t: T=raster: the unit tests whose name holds that, as make test has them
 t: $(B)/.setup-test
 	$(if $(UNITS_T),,$(error T=$(T): no unit test's name holds that; there are $(UNITS:test_%=%)))
 	+@$(MAKE_ALL) $(UNITS_T:%=$(B)/test/%)
