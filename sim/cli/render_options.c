@@ -90,7 +90,8 @@ static const struct sim_option table[] = {
     { "--style", SIM_OPTION_CHOICE, AT(style), .words = SIM_STYLE_WORDS,
       .help = "solid: its faces; or wire: the model's edges alone, hidden-line: those that its faces do not hide, "
               "points: its vertices, in white or the --color (solid)" },
-    { "--line-width", SIM_OPTION_COUNT, AT(line_width), 0, 1, 64, .help = "px, of lines and points (1)" },
+    { "--line-width", SIM_OPTION_COUNT, AT(line_width), 0, 1, 64,
+      .help = "px, of the lines and points of --style; no matter to solid (1)" },
     { "--texture", SIM_OPTION_FILE, AT(texture), .value = "T.png",
       .help = "one picture (PNG or JPEG) for all faces in place of the model's own. A side that is no power of two up "
               "to 1024 becomes the nearest one by averaging areas (texture_resampled of --stats); alpha is dropped" },
@@ -234,6 +235,8 @@ static int check_method(const struct sim_options *o)
         return sim_usage("--method is about the renderer: leave --reference out");
     if (!method->keys && o->depth_out)
         return sim_usage("--method %s keeps no depth keys: leave --depth-out out", method->name);
+    if (method->depth && o->depth_bits != 16)
+        return sim_usage("--method %s keeps no depth keys: leave --depth-bits out", method->name);
     if (o->show != SIM_SHOW_FRAME && o->show != SIM_SHOW_OVERDRAW)
         return sim_usage("--method %s: of --show there is overdraw", method->name);
     if (method->depth && o->depth != SIM_DEPTH_DEFAULT)

@@ -39,7 +39,7 @@ static const struct sim_help help = {
     "zsim gallery [options]",
     "Draws four scenes by every method of hidden-surface removal and writes one page, DIR/index.html, that needs no "
     "other file: pictures, overdraw in false colours, RAM, fragments, writes, pixels that differ from the "
-    "double-precision reference, and when to take which method.",
+    "double-precision reference, and when to take which method; lines, points and effects of zsim render.",
     "Exit status: 0 done; 1 refused; 2 the command line makes no sense.",
 };
 

@@ -16,6 +16,15 @@
 #define POT "--size 240x180 --background 2a3a50 --eye 1.1,0.9,1.65 "
 
 const struct gallery_effect gallery_effects[GALLERY_EFFECTS] = {
+    { "wire", "Wireframe", POT "--style wire", "All edges, as lines of 1 to 64 px, clipped exactly, dashed if need be.",
+      "Edges behind the thing are drawn, too." },
+    { "hidden-line", "Hidden lines", POT "--style hidden-line",
+      "Drawings, and panels of one bit: the edges that no face hides. Faces are drawn first, into the depth buffer "
+      "alone and pushed back a little.",
+      "An edge that is sunk into another part by less than that may show for a few px." },
+    { "points", "Points", POT "--style points --line-width 2",
+      "Vertices, scans, stars: squares of 1 to 64 px, tested against depth.",
+      "No face hides them, but for faces that are drawn with them." },
     { "lights", "Coloured lights",
       POT "--shade smooth --light point:1,1.4,0.8:ffb050:4 --light dir:-1,0.6,0.3:3060ff --ambient 0.1 --color ffffff",
       "Up to four lamps, directional, at a point or in a cone, at faces or vertices. Each lamp costs at each vertex.",

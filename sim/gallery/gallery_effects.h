@@ -1,4 +1,4 @@
-/* The gallery's cards of effects: one model, drawn by zsim render's options.
+/* The gallery's cards of lines and effects: one model, drawn by zsim render's options.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -13,7 +13,8 @@ struct gallery_effect {
     const char *take, *fails; /* when to take it, what it gets wrong or costs */
 };
 
-#define GALLERY_EFFECTS 17
+#define GALLERY_LINES 3 /* the first of them: lines and points in place of faces */
+#define GALLERY_EFFECTS 20
 extern const struct gallery_effect gallery_effects[GALLERY_EFFECTS];
 
 /* Draw the card. SIM_OK; SIM_REFUSED, said why. */

@@ -88,7 +88,7 @@ void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], co
         "margin:.5rem}figcaption{font-size:.8rem}table{border-collapse:collapse}td,th{padding:.2rem .6rem;text-align:"
         "right;border-bottom:1px solid #ccc}th{text-align:left}"
         ".effect{display:inline-block;width:17rem;vertical-align:top;margin:.5rem}"
-        ".effect code{font-size:.75rem}img{max-width:100%;height:auto}</style>\n"
+        ".effect code{font-size:.75rem}img{max-width:100%;height:auto;outline:1px solid #ccc}</style>\n"
         "<h1>Which surfaces are seen: the methods side by side</h1>\n"
         "<p>Each method draws the same scenes with integers alone, strip by strip. The left picture is the frame, "
         "the right one its overdraw: how often each pixel was coloured.</p>\n",
@@ -110,10 +110,12 @@ void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], co
         f);
     for (size_t m = 0; m < SIM_METHODS; m++)
         put_card(f, &sim_methods[m], shot[m], scene);
-    (void)fputs("<h1>Light, transparency, reflection, shadow</h1>\n<p>The demo's teapot by options of zsim render. A "
-                "program that uses none of them does not link them.</p>\n",
-                f);
-    for (size_t k = 0; k < GALLERY_EFFECTS; k++)
+    for (size_t k = 0; k < GALLERY_EFFECTS; k++) {
+        if (k == 0 || k == GALLERY_LINES)
+            (void)fprintf(f, "<h1>%s</h1>\n<p>The demo's teapot by options of zsim render. A program that uses none of "
+                             "them does not link them.</p>\n",
+                          k == 0 ? "Lines and points" : "Light, transparency, reflection, shadow");
         put_effect(f, &gallery_effects[k], &effect[k]);
+    }
     (void)fputs("</html>\n", f);
 }

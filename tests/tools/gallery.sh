@@ -23,9 +23,9 @@ for m in $methods; do
     "$zsim" render --help | grep -q "[|  ]$m" || wrong "zsim render --help does not name $m"
 done
 is "pictures in the page" "$(grep -c 'src="data:image/png;base64,' page/index.html)" \
-    $(($(echo $methods | wc -w) * 8 + 17))
-for e in lights per-pixel textured-highlights alpha add screen-door bilinear mipmap samples fog dither shadow-planar \
-    shadow-map shadow-lights environment mirror together; do
+    $(($(echo $methods | wc -w) * 8 + 20))
+for e in wire hidden-line points lights per-pixel textured-highlights alpha add screen-door bilinear mipmap samples \
+    fog dither shadow-planar shadow-map shadow-lights environment mirror together; do
     grep -q "<section id=$e " page/index.html || wrong "no card of $e"
 done
 grep -q 'src="[^d]\|href=' page/index.html && wrong "the page needs another file"
@@ -64,6 +64,8 @@ z render tri.obj --out x.png --method painter --show tested
 one_line 2 'method painter: of --show there is overdraw'
 z render tri.obj --out x.png --method painter --depth recip
 one_line 2 'method painter brings its depth mapping: leave --depth out'
+z render tri.obj --out x.png --method painter --depth-bits 8
+one_line 2 'method painter keeps no depth keys: leave --depth-bits out'
 z render tri.obj --out x.png --method magic
 one_line 2 'magic'
 [ ! -e x.png ] || wrong "a file of a refused command"
