@@ -48,9 +48,11 @@ static void put_card(FILE *f, const struct sim_method *m, const struct gallery_s
         (void)fputs("<figure>\n", f);
         put_picture(f, &shot[i].picture, scene[i]);
         put_picture(f, &shot[i].overdraw, "overdraw");
-        (void)fprintf(f, "<figcaption>%s: %u wrong pixels of %u; %.2f writes a visible pixel</figcaption></figure>\n",
+        (void)fprintf(f, "<figcaption>%s: %u wrong pixels of %u; %.2f writes a visible pixel<br>%u bytes of RAM, %u of "
+                         "them depth; %s%.2f M instructions</figcaption></figure>\n",
                       scene[i], shot[i].wrong, shot[i].pixels,
-                      shot[i].visible ? (double)shot[i].written / (double)shot[i].visible : 0.0);
+                      shot[i].visible ? (double)shot[i].written / (double)shot[i].visible : 0.0, shot[i].arena_bytes,
+                      shot[i].depth_bytes, shot[i].estimated ? "~" : "", shot[i].instructions / 1e6);
     }
     (void)fputs("</section>\n", f);
 }

@@ -29,6 +29,9 @@ for e in wire hidden-line points lights per-pixel textured-highlights alpha add 
     grep -q "<section id=$e " page/index.html || wrong "no card of $e"
 done
 grep -q 'src="[^d]\|href=' page/index.html && wrong "the page needs another file"
+is "RAM and instructions on cards" \
+    "$(grep -c '^<figcaption>.*; .*<br>[1-9][0-9]* bytes of RAM, .* M instructions' page/index.html)" \
+    $(($(echo $methods | wc -w) * 4))
 is "depth memory of painter" "$(figure corridor painter depth)" 0
 is "depth memory of zbuffer" "$(figure corridor zbuffer depth)" 15360
 is "instructions as given" "$(figure cubes painter instructions)" 123456
