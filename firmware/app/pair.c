@@ -9,18 +9,23 @@
  * interrupt; whoever writes what lets the second core go on or end wakes it. Between frames the first core's thread
  * sets all right.
  *
+ * A frame begins with steps (zs_share.h), each of which either core ends before the other one begins the next. Where
+ * pools do not hold what one walk bins, each core bins for itself, and some frames later the steps are tried again.
+ *
  * SPDX-License-Identifier: MIT
  */
 #include "pair.h"
 
 #include "hal.h"
 #include "second.h"
+#include "zs_share.h"
 #if SHOW_PIECE
 #include "pieces.h"
 #include "show.h"
 #endif
 
 #define SLOTS 4u    /* two cores, two buffers each */
+#define APART 32u /* frames, after one whose parts did not fit into the pools */
 #define LOOK_US 10000u /* how often the first core looks whether the other one gets on */
 
 /* What each core is at: for a debugger, and for a test that counts cycles. The numbers are show.c's. */
@@ -45,6 +50,14 @@ static volatile uint32_t drawn[SLOTS];
 static volatile uint32_t next = 1, sent = 1;
 static volatile uint8_t out, arrived; /* strip `sent` is in the sink's hands; its transfer has ended */
 static volatile int32_t failed;       /* why no more of the frame is drawn and sent; 0: it is */
+
+/* Binning. steps: how many each core has ended. */
+static struct zs_share walk;
+static volatile uint32_t steps[2];
+static uint32_t cut = 1u << 15;       /* 2^-16 of the triangles: the first core's */
+static uint32_t binning[2];           /* ticks of a core in step 0 */
+static uint32_t apart;                /* frames in which each core still bins for itself */
+static volatile uint8_t sharing;      /* 1: this frame has steps */
 
 static uint32_t held[2][2];           /* of a core, by buffer: the strip that was drawn there last */
 static uint32_t taken[2];             /* strips by a core: its buffers take turns */
@@ -103,7 +116,7 @@ static void look_after(void)
 {
     static uint32_t seen;
     static uint64_t since;
-    const uint32_t now = next + sent + ended + posted;
+    const uint32_t now = next + sent + ended + posted + steps[0] + steps[1];
     const uint64_t ticks = hal_ticks();
     if (now != seen || ended == posted) {
         seen = now;
@@ -185,6 +198,38 @@ static int begin(struct zs_renderer *r, uint32_t core)
 }
 #endif
 
+/* Bin the frame together. */
+static void bin(uint32_t core)
+{
+    uint64_t from;
+    uint32_t before;
+    for (uint32_t step = 0; step < ZS_SHARE_STEPS; step++) {
+        const uint64_t spent = drawing[core];
+        draws(core, &from, &before);
+        (void)zs_share_step(&walk, core, step);
+        has_drawn(core, from, before);
+        if (!step)
+            binning[core] = (uint32_t)(drawing[core] - spent);
+        second_barrier();
+        const uint32_t now = steps[core] + 1u;
+        steps[core] = now;
+        second_wake();
+        while ((int32_t)(steps[!core] - now) < 0 && !alone)
+            rest(core);
+        second_barrier();
+    }
+}
+
+/* Give the core that took longer fewer of the next frame's triangles. */
+static void balance(void)
+{
+    const uint64_t a = binning[0], b = binning[1];
+    if (a > b)
+        cut -= (uint32_t)(cut * (a - b) / (2u * a));
+    else if (b)
+        cut += (uint32_t)((65536u - cut) * (b - a) / (2u * b));
+}
+
 static void share(uint32_t core)
 {
     struct zs_renderer *r = &renderer[core];
@@ -193,6 +238,8 @@ static void share(uint32_t core)
     draws(core, &from, &before);
     begun[core] = begin(r, core);
     has_drawn(core, from, before);
+    if (!begun[core] && sharing)
+        bin(core);
     while (!begun[core] && take(core, &n)) {
         draws(core, &from, &before);
         for (; at != n; at++)
@@ -254,6 +301,9 @@ int pair_frame(const struct zs_scene *scene, const struct zs_camera *camera)
     the_scene = scene;
     the_camera = camera;
     first = end;
+    apart -= apart != 0;
+    sharing = !alone && !apart;
+    zs_share_set(&walk, &renderer[0], &renderer[1], cut);
     second_barrier();
     end = first + strips;
     if (!alone)
@@ -263,6 +313,10 @@ int pair_frame(const struct zs_scene *scene, const struct zs_camera *camera)
     while (ended != posted)
         rest(0);
     second_barrier();
+    if (sharing && !begun[0]) {
+        apart = walk.joined ? 0 : APART;
+        balance();
+    }
     if (begun[0]) { /* both refuse it; what was drawn before it leaves */
         end = first;
         const int err = pair_flush();

@@ -1,5 +1,6 @@
-/* Two renderers draw each frame together, one on each core (hal/second.h), each whichever strip is next when it has a
- * buffer free; a sink gets all strips in their order, and the picture is the one that one renderer draws, bit for bit.
+/* Two renderers draw each frame together, one on each core (hal/second.h): each bins a part of the scene (zs_share.h),
+ * and draws whichever strip is next when it has a buffer free. A sink gets all strips in their order, and the picture
+ * is the one that one renderer draws, bit for bit.
  *
  * All of the sink's calls come in an interrupt of the first core: a strip is begun as soon as the one before it is out
  * and it is drawn, whatever that core is drawing itself. Each of the sink's transfers must end in pair_arrived, after

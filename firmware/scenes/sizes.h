@@ -23,10 +23,10 @@
 
 /* The same for two cores, each with an arena of this size of its own: strips as high as pay and fit into a Pico.
  * Flyover has fewer vertices than one pass takes: they are given up, and worked on again where they come again. */
-#define SIZES_2_teapot 30, 30, 1792, 1664, ZS_VARYINGS_SMOOTH
-#define SIZES_2_china 20, 24, 1792, 1664, ZS_VARYINGS_TEXTURE_SMOOTH
+#define SIZES_2_teapot 30, 24, 1792, 1760, ZS_VARYINGS_SMOOTH
+#define SIZES_2_china 20, 24, 1728, 1728, ZS_VARYINGS_TEXTURE_SMOOTH
 #define SIZES_2_cubes 30, 30, 64, 80, ZS_VARYINGS_FLAT
-#define SIZES_2_knot 30, 24, 1088, 1088, ZS_VARYINGS_SMOOTH
+#define SIZES_2_knot 30, 30, 1088, 1664, ZS_VARYINGS_SMOOTH
 #define SIZES_2_flyover 20, 24, 960, 3400, ZS_VARYINGS_FLAT
 #define SIZES_2_city 30, 40, 1408, 1600, ZS_VARYINGS_FLAT
 #define SIZES_2_hall 20, 30, 640, 1536, ZS_VARYINGS_TEXTURE_SMOOTH

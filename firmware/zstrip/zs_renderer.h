@@ -163,6 +163,7 @@ struct zs_row;
 struct zs_pass;
 struct zs_pass_memory;
 struct zs_pass_kernel;
+struct zs_share_part;
 
 /* The fields in frequent use come first: a Cortex-M0 reaches 31 bytes, 31 half-words and 31 words
  * behind a pointer with one instruction, any Cortex-M with one of 16 bits. Hooks of accelerators
@@ -251,13 +252,15 @@ struct zs_renderer {
     uint16_t draw_end;            /* no strip from this one on is dirty */
     uint16_t track_instances;     /* number of records */
     uint8_t track_columns;        /* zs_damage_columns; 0: draw all columns of a dirty strip */
-    uint8_t by_clusters;          /* 1: clusters of the current instance may be culled */
+    uint8_t by_clusters;          /* 1: clusters of the current instance may be culled; 2:
+                                     those beside share->from .. to are */
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and
                                      keys; the others are uncleared (fast/first_touch.c) */
     int16_t was[2];               /* the same of the current row, before the current triangle */
     uint32_t untouched_left;      /* number of uncleared pixels, while `untouched` says some */
     uint16_t edge_of[4];          /* edge[] is for rows [edge_of[0], edge_of[1]) and columns
                                      [edge_of[2], edge_of[3]) */
+    struct zs_share_part *share;  /* while a part of the scene is binned (zs_share.h) */
     struct zs_edge edge[4];
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles. The last one is

@@ -5,6 +5,7 @@
  *       zs_setup.h   depth mappings, the configuration, bytes of arena, counts
  *       zs_math.h    sine, vectors, poses, cameras from angles and points
  *     zs_pass.h    several scenes or cameras in one frame
+ *     zs_share.h   one frame by two cores
  *     zs_fast.h    accelerators: the same picture in less time
  *     zs_method.h  other ways to remove hidden surfaces than the depth buffer
  *     zs_shader.h  write a shader

@@ -145,7 +145,7 @@ table_row() { # SCENE
 # Both cores draw: cycles of each, and what that gains.
 table_2_head() {
     echo
-    echo "The same with CORES=2: each core draws whichever strip is next, with an arena of its own."
+    echo "The same with CORES=2: the cores bin a part of the scene each, and draw whichever strip is next."
     printf '%-9s %9s %9s %8s %6s %6s %6s %7s %6s %6s %5s %7s %8s %6s %7s\n' scene 'core 0' 'core 1' 'wire us' fps \
         "+$GAP ns" \
         +flash misses gain hidden late RAM flash stack 'stack 1'

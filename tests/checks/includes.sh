@@ -85,7 +85,7 @@ only "hal/rp2040/second includes hal.h, second.h and its HAL's own" \
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c hal/*/*/*.c
 APP='zstrip|zs_fast|zs_damage|zs_method|zs_lines|scenes|pieces|sizes|hal|second|panel|show|pair|number|line|report'
-APP="$APP|model|show_model|zs_blend|zs_filter|zs_lights|zs_shadow|zs_dither|zs_environment|zs_fog"
+APP="$APP|model|show_model|zs_blend|zs_filter|zs_lights|zs_shadow|zs_dither|zs_environment|zs_fog|zs_share"
 only "app sees public headers, hal.h, panel.h, scenes and its own" \
     "\"($APP|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
 only "showpieces see public headers and scenes'" \

@@ -33,6 +33,8 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     copy "$2-explain"
     bound "$2-explain" '' "$(echo "$empty,$none" | sed 's/^-,//')"
     case $2 in bare-*) return ;; esac
+    copy "$2-share"
+    bound "$2-share" '' "$(echo "$empty,$none" | sed 's/^-,//')"
     for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort \
         raycast_rays_ray.nodes_sort; do
         copy "$2-${method%%_*}"
@@ -56,6 +58,7 @@ bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _
         *) rm -f "$dir/method_$m".* "$dir/effect_$m".* ;;
         esac
     done
+    case $1 in *-share) ;; *) rm -f "$dir/fast_share".* ;; esac # of programs for two cores: zs_share.h
     most=$EFFECTS_LIMIT
     case $1 in
     *-effects-*) ;;

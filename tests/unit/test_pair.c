@@ -36,6 +36,7 @@
 #include "pair.h"
 #include "prng.h"
 #include "second.h"
+#include "zs_share.h"
 
 #define FRAMES 30u
 #define STRIPS_MAX 9u
@@ -67,7 +68,7 @@ static const struct mode modes[] = {
 
 /* What a mode's seeds have come to, and why one failed: written by the processes that play them. */
 struct seen {
-    uint32_t frames, refused, submit, wait, stopped, alone, sent;
+    uint32_t frames, refused, submit, wait, stopped, alone, sent, shared;
     char why[120];
 };
 static struct seen *seen;
@@ -350,6 +351,7 @@ struct buffer {
 static struct renderer {
     const struct zs_renderer *is;
     int open;
+    uint32_t steps;   /* that have ended, of all frames */
     uint32_t at, drawn; /* strips given out or left out; drawn */
     struct buffer buffer[2];
 } renderers[2];
@@ -384,9 +386,11 @@ static uint32_t left(void)
     return made || stops > told_stopped ? 0 : n;
 }
 
+/* Not where it waits for the other one to end a step: one that is dead may have done it, and not have said so. */
 static int could_draw(uint32_t c)
 {
-    return renderers[c].open && !buffer_of(&renderers[c])->busy && left();
+    const int waits = !stops && (dead ? !renderers[c].at : renderers[c].steps > renderers[!c].steps);
+    return !waits && renderers[c].open && !buffer_of(&renderers[c])->busy && left();
 }
 
 static void work(void)
@@ -415,6 +419,33 @@ int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene, const st
     return refusing ? ZS_ERR_RANGE : ZS_OK;
 }
 
+void zs_share_set(struct zs_share *share, struct zs_renderer *one, struct zs_renderer *two, uint32_t part)
+{
+    if (running != THREAD || one != renderers[0].is || two != renderers[1].is || part > 65536)
+        wrong("another pair is shared");
+    if (renderers[0].steps != renderers[1].steps && !stops)
+        wrong("a frame is shared before the last one's steps have ended");
+    (void)share;
+}
+
+/* Each step sees all that both have done before. */
+int zs_share_step(struct zs_share *share, uint32_t c, uint32_t step)
+{
+    struct renderer *const my = &renderers[c], *const other = &renderers[!c];
+    if (c != core() || running == INTERRUPT || !my->open || my->at)
+        wrong("a step of another core, or out of a frame");
+    if (my->steps % ZS_SHARE_STEPS != step || (other->steps < my->steps && !stops))
+        wrong("a step too early");
+    work();
+    if (other->steps > my->steps + 1)
+        wrong("the other core did not wait for this step");
+    my->steps++;
+    if (step == ZS_SHARE_STEPS - 1)
+        share->joined = (int32_t)(begun % 5 != 0);
+    seen->shared++;
+    return 0;
+}
+
 int zs_frame_skip(struct zs_renderer *r)
 {
     struct renderer *const my = of(r);
@@ -432,6 +463,9 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         wrong("no strip to draw");
     if (b->busy)
         wrong("a strip is drawn over one that is not out");
+    if (my->steps % ZS_SHARE_STEPS || renderers[!core()].steps < my->steps)
+        if (!stops)
+            wrong("a strip is drawn before both have taken all steps");
     if (drawn_in[my->at] == frame)
         wrong("a strip is drawn twice");
     drawn_in[my->at] = frame;
@@ -660,6 +694,7 @@ static void seeds(void **state)
     assert_int_equal(mode->refused > 0, seen->refused > mode->seeds);
     assert_int_equal(mode->dies, seen->stopped > mode->seeds / 4);
     assert_true(mode->dies || seen->alone == (mode->no_start ? mode->seeds : 0));
+    assert_int_equal(!mode->no_start, seen->shared > 0);
     assert_true(seen->frames > mode->seeds * FRAMES / 4);
 }
 

@@ -31,19 +31,17 @@ void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_
     zs_screen(r, from, n, &r->vert[slot]);
 }
 
-/* Transform all vertices of the current mesh, if there is room; without those that only culled
- * clusters use. Else batches gather theirs. */
-static void batch_open(struct zs_renderer *r)
+int zs_batch_room(struct zs_renderer *r)
 {
     const uint32_t n = r->xform.instance->mesh->n_verts, room = r->config.max_verts - r->n_verts;
     r->slow_first = 0;
     r->batched = (uint8_t)zs_parts_batched(r, r->xform.instance);
     if (!r->batched)
-        return;
+        return 0;
     if (n > r->config.max_verts)
         zs_parts_begin(r, 0);
     if (ZS_IF_FAST(r->parts_tris) && !r->counting && !zs_parts_whole(r))
-        return;
+        return 0;
     if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
         zs_bin_count(r);
         zs_bin_pack_new(r);
@@ -51,11 +49,17 @@ static void batch_open(struct zs_renderer *r)
     const uint32_t base = r->n_verts;
     r->vert_base = base;
     r->direct = n <= r->config.max_verts - base;
-    if (!r->direct)
-        return;
-    r->n_verts += n;
-    if (!r->by_clusters || !r->clusters_hooks->verts(r))
-        zs_batch_verts(r, base, 0, n);
+    if (r->direct)
+        r->n_verts += n;
+    return r->direct;
+}
+
+/* Transform all vertices of the current mesh, if there is room; without those that only culled
+ * clusters use. Else batches gather theirs. */
+static void batch_open(struct zs_renderer *r)
+{
+    if (zs_batch_room(r) && (!r->by_clusters || !r->clusters_hooks->verts(r)))
+        zs_batch_verts(r, r->vert_base, 0, r->n_verts - r->vert_base);
 }
 
 /* ---- Facing, box and bin --------------------------------------------------------------------- */
@@ -389,8 +393,8 @@ static void begin(struct zs_sweep *s, struct zs_renderer *r)
 }
 
 /* In batches, a slow case is assembled here, without their memory on the stack. */
-static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
-                                      uint32_t outcome[ZS_OUTCOMES], uint32_t *piece)
+ZS_NOINLINE uint32_t zs_batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
+                                  uint32_t *outcome, uint32_t *piece)
 {
     struct zs_sweep s;
     s.outcome = outcome;
@@ -416,7 +420,7 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
 }
 
 static const struct zs_fast_batch batch = {
-    .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen,
+    .needs = zs_screen_needs, .open = batch_open, .bin = zs_batch_bin, .screen = zs_screen,
     .full = zs_parts_begin, .spare = zs_parts_end, .beside = zs_parts_beside
 };
 const struct zs_fast zs_fast_batch = { .batch = &batch };

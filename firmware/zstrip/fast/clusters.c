@@ -64,6 +64,7 @@
 #include "core/fx.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
+#include "zs_share.h"
 
 #define MARGIN_MAX (1 << 16)
 
@@ -137,10 +138,12 @@ static ZS_RARE int cluster_run(struct zs_renderer *r)
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint8_t *flag = r->direct && k->known ? marks(r) + ZS_ROUND4(mesh->n_verts) : 0;
     const int counting = r->counting && !k->counted;
+    const struct zs_share_part *const part = r->by_clusters == 2 ? r->share : 0;
     k->from = k->end;
     for (; k->next < mesh->n_clusters; k->next++) {
         const uint32_t n = tris_of(mesh, k->next, k->end);
-        const int out = flag ? flag[k->next] : left_out(r, k->next);
+        const int out = part && (k->end >= part->to || k->end + n <= part->from) ? 1
+                        : flag ? flag[k->next] : left_out(r, k->next);
         if (out && k->from < k->end)
             return 1; /* the next call tests this cluster again */
         if (counting) {
@@ -187,50 +190,61 @@ static uint32_t ask(struct zs_renderer *r)
     return tris;
 }
 
-/* Mark the vertices of the triangles that are drawn. */
-static void mark(struct zs_renderer *r)
+void zs_mark_none(struct zs_renderer *r)
+{
+    zs_fill_run(r->vert_map, 0, ZS_ROUND4(r->xform.instance->mesh->n_verts) / 2u);
+}
+
+void zs_mark_verts(struct zs_renderer *r, uint32_t from, uint32_t to)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint32_t n_verts = mesh->n_verts;
     uint8_t *mark = marks(r);
-    zs_fill_run(r->vert_map, 0, ZS_ROUND4(n_verts) / 2u);
-    while (cluster_run(r)) {
-        const uint16_t(*tri)[3] = mesh->tri + r->clusters.from,
-              (*const end)[3] = mesh->tri + r->clusters.end;
-        for (; tri < end; tri++) {
-            const uint32_t a = (*tri)[0], b = (*tri)[1], c = (*tri)[2];
-            if (a < n_verts)
-                mark[a] = 1;
-            if (b < n_verts)
-                mark[b] = 1;
-            if (c < n_verts)
-                mark[c] = 1;
-        }
+    const uint16_t(*tri)[3] = mesh->tri + from, (*const end)[3] = mesh->tri + to;
+    for (; tri < end; tri++) {
+        const uint32_t a = (*tri)[0], b = (*tri)[1], c = (*tri)[2];
+        if (a < n_verts)
+            mark[a] = 1;
+        if (b < n_verts)
+            mark[b] = 1;
+        if (c < n_verts)
+            mark[c] = 1;
     }
-    run_again(&r->clusters);
 }
 
-/* zs_fast_clusters.verts. To find out which vertices are needed takes half the time of transforming
- * them. So if less than a third of the triangles are culled, all vertices are transformed. */
-static int cluster_verts(struct zs_renderer *r)
+uint32_t zs_marked_verts(struct zs_renderer *r)
 {
-    const struct zs_mesh *mesh = r->xform.instance->mesh;
-    const uint32_t n = mesh->n_verts, out = ask(r);
-    if (out == 0)
-        r->by_clusters = 0;
-    if (out * 3u < mesh->n_tris)
-        return 0;
-    mark(r);
     const uint8_t *const flag = marks(r);
+    const uint32_t n = r->xform.instance->mesh->n_verts;
+    uint32_t end = 0;
     for (uint32_t v = 0; v < n; v++) {
         while (v + 4u <= n && !(flag[v] | flag[v + 1u] | flag[v + 2u] | flag[v + 3u]))
             v += 4u;
         const uint32_t from = v;
         while (v < n && flag[v])
             v++;
-        if (from < v)
-            zs_batch_verts(r, r->vert_base + from, from, v - from);
+        if (from == v)
+            continue;
+        zs_batch_verts(r, r->vert_base + from, from, v - from);
+        end = v;
     }
+    return end;
+}
+
+/* zs_fast_clusters.verts. To find out which vertices are needed takes half the time of transforming
+ * them. So if less than a third of the triangles are culled, all vertices are transformed. */
+static int cluster_verts(struct zs_renderer *r)
+{
+    const uint32_t out = ask(r);
+    if (out == 0)
+        r->by_clusters = 0;
+    if (out * 3u < r->xform.instance->mesh->n_tris)
+        return 0;
+    zs_mark_none(r);
+    while (cluster_run(r))
+        zs_mark_verts(r, r->clusters.from, r->clusters.end);
+    run_again(&r->clusters);
+    (void)zs_marked_verts(r);
     return 1;
 }
 

@@ -44,7 +44,7 @@ ZS_RARE int zs_parts_batched(const struct zs_renderer *r, const struct zs_instan
     /* batches do not call zs_fast_tiles.cover for triangles of up to 128 px; in a small frame such
      * triangles can be good occluders */
     return !material->primitive && !material->shader->place &&
-           !(r->tiles && r->config.width <= 160u && in->mesh->n_tris <= 40u);
+           !(r->tiles && r->config.width <= 160u && in->mesh->n_tris <= ZS_PARTS_FEW);
 }
 
 /* Choose the size of parts. Return their number; 0 if there is no room for them. */

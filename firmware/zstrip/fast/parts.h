@@ -7,7 +7,9 @@
 
 #include "core/job.h"
 
-/* Return 1 if an instance's triangles are binned in batches. */
+#define ZS_PARTS_FEW 40u /* triangles of a mesh */
+/* Return 1 if an instance's triangles are binned in batches. With more than ZS_PARTS_FEW, that does
+ * not depend on what was binned before. */
 int zs_parts_batched(const struct zs_renderer *r, const struct zs_instance *in);
 /* Begin to note the rows of parts, from triangle t of the current instance on. */
 void zs_parts_begin(struct zs_renderer *r, uint32_t t);

@@ -46,4 +46,11 @@ uint32_t zs_sweep_by_hand(struct zs_sweep *s, uint32_t t, uint32_t end, const ui
 #define SWEEP_EACH ZS_ALWAYS_INLINE
 #endif
 
+/* zs_fast_batch.open without the transform: set r->batched; if the pool has room for all vertices
+ * of the current mesh, r->direct, and take the room. Return r->direct. */
+int zs_batch_room(struct zs_renderer *r);
+/* zs_fast_batch.bin. */
+uint32_t zs_batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *outcome,
+                      uint32_t *piece);
+
 #endif
