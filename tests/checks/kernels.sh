@@ -80,7 +80,8 @@ for c in $CPUS; do
         zs_depth_linear zs_recip_setup linear_setup linear_planes zs_solid_run zs_pose_turn zs_fast_touch \
         zs_fast_tiles zs_fast_batch zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth \
         zs_fast_texture zs_fast_texture_flat zs_fast_texture_smooth zs_fast_565 zs_fast_pal8 zs_fast_pal4 \
-        zs_fast_less zs_cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover batch_bin \
+        zs_fast_less zs_cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover \
+        zs_batch_bin \
         zs_camera_orbit zs_error_string zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth \
         zs_texel_565 zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 \
         fetch_wide zs_texture_run zs_texture_light zs_texture_start zs_depth_e3m13 zs_depth_e4m12 \

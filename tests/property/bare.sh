@@ -56,7 +56,7 @@ find firmware/zstrip firmware/app firmware/scenes hal tests/property/checksum.c 
 comm -23 "$out/of_fast.names" "$out/words" >"$out/fast.names"
 names nm "$build/fw/host/bench.elf" >"$out/full.names"
 gone=$(for name in $(sed -n 's/^extern const struct zs_fast //p' firmware/zstrip/zs_fast.h | sed 's/;.*//; s/,/ /g') \
-    solid_walk small_draw tiny_cuts texture_rows touch_piece tiles_cover batch_bin; do
+    solid_walk small_draw tiny_cuts texture_rows touch_piece tiles_cover zs_batch_bin; do
     grep -qxF "$name" "$out/fast.names" || echo "$name in fast/"
     case $name in # scenes of the bench have no clusters, colours at vertices or four-bit texels
     zs_fast_clusters | zs_fast_smooth | zs_fast_pal4) continue ;;

@@ -6,11 +6,12 @@
 
 #include "shade/persp.h"
 
-/* Its bound is given: it is cut there. Its sums: steeps. */
-/*@ requires n: -0x80000000000000 < n < 0x80000000000000;
-    assigns \result \from n, area;
-    ensures bound: \result <= 0x400000000000; */
-static ZS_RARE uint64_t steepness(int64_t n, int64_t area);
+#include "core/plane.h"
+
+/* Two products of 33 and 23 bits, whose difference is below 2^55, as two's complement. */
+/*@ assigns \result \from dv1, dv2, d[0..1];
+    ensures bound: \result < 0x80000000000000 || \result > 0xff80000000000000; */
+uint64_t zs_plane_numerator(uint64_t dv1, uint64_t dv2, const int32_t d[2]);
 #include "core/depth_test.c"
 #include "fast/less.c"
 #include "shade/persp.c"
@@ -125,16 +126,8 @@ static uint32_t any_key(const struct zs_view *view, uint32_t d)
     return any_u32(0, UINT32_MAX);
 }
 
-/* PROVE steeps: every |n| < 2^55, areas below 2^46 by octave: sums */
-void steeps(void)
-{
-    const int64_t most = ((int64_t)1 << 55) - 1;
-    for (int k = 0; k < 46; k++)
-        (void)steepness(any_i64(-most, most), any_i64((int64_t)OCTAVE_LO(k), (int64_t)OCTAVE_HI(k)));
-}
-
-/* PROVE biases -eva-use-spec=steepness: every offset, slope, depth and difference of corners below 2^22, areas below
- * 2^46 by octave: at most BIAS_MAX either way */
+/* PROVE biases -eva-use-spec=zs_plane_numerator: every offset, slope, depth and difference of corners below 2^22, areas
+ * below 2^46 by octave: at most BIAS_MAX either way. Taken as given: numerators, sums of products modulo 2^64 */
 void biases(void)
 {
     static struct zs_depth depth;

@@ -28,7 +28,7 @@ static void any_matrix(int32_t m[9], int32_t most)
         m[e] = any_i32(-most, most);
 }
 
-/* Octave k of |v| in one component, the others no larger; each of the sign that a bit of n says. k of 31 is -2^31. */
+/* Octave k of |v| in one component, the others no larger; each below 0 or not, as a bit of n says. k of 31 is -2^31. */
 static int any_vector(int32_t v[3], int k, int n)
 {
     const int64_t lo = (int64_t)OCTAVE_LO(k), hi = k == 31 ? lo : (int64_t)OCTAVE_HI(k);
@@ -37,7 +37,7 @@ static int any_vector(int32_t v[3], int k, int n)
     if (k == 31 && !negative)
         return 0;
     for (int j = 0; j < 3; j++)
-        v[j] = n >> j & 1 ? any_i32((int32_t)-hi, 0) : any_i32(0, (int32_t)below);
+        v[j] = n >> j & 1 ? any_i32((int32_t)-hi, -1) : any_i32(0, (int32_t)below);
     v[at] = negative ? any_i32((int32_t)-hi, (int32_t)-lo) : any_i32((int32_t)lo, (int32_t)hi);
     or_least = (uint32_t)lo;
     or_most = k == 31 ? UINT32_MAX : (uint32_t)hi;

@@ -46,7 +46,7 @@ static void any_small(int32_t x, int32_t y, int32_t from)
     (void)small_draw(&job);
 }
 
-/* PROVE small_setups -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1
+/* PROVE small_setups -eva-split-return-function=zs_small_look:0:1,zs_small_keys:0:1,zs_small_place:0:1:2
  * -eva-use-spec=recip_in_line,zs_plane_quotient,small_rows: every triangle of up to 2^14 sub-pixels each way, any keys
  * and pieces of 2^19 .. 2^31, its top corner at both ends of its range and at 0, there on a pixel's border, on a sample
  * and a sub-pixel beside it, strips from above it and from each of its 65 rows on, any width and height */

@@ -77,6 +77,7 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
     shader.n_varyings = (uint8_t)any_u32(2, 3);
     material.shader = &shader;
     material.texture = &texture;
+    job.texture = &texture;
     instance.mesh = &mesh;
     instance.material = &material;
     scene.instance = &instance;
