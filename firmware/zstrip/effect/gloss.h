@@ -61,6 +61,35 @@ static inline void zs_gloss_vertex(const struct zs_shading *s, uint32_t v, uint1
     uv[1] = (uint16_t)(mesh->uv[v][1] + 32768);
 }
 
+/* Set at->n at a covered pixel, and at->pos if `placed`. first: of the varyings normal and place. A
+ * normal n as a varying is n + 32768 of 65536. Times w, both are linear on the screen, and so is
+ * their difference, N w, whose direction is that of N: nothing is divided for it. */
+static inline void zs_gloss_point(const struct zs_job *job, const struct zs_instance *in,
+                                  int32_t i, int32_t row, int first, int placed,
+                                  struct zs_lit_at *at)
+{
+    uint32_t w, square;
+    int32_t lz, n[3], p[3], exp;
+    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
+    const int turned = job->tri->paint & ZS_PHONG_TURNED;
+    for (int k = 0; k < 3; k++) { /* < 2^31 - 2^30, both */
+        const int32_t nw = (int32_t)(zs_plane_at(&job->c[first + k], i, row) - (w >> 1));
+        n[k] = turned ? -nw : nw;
+    }
+    (void)zs_lit_unit(at->n, n, &square, &exp);
+    if (!placed)
+        return;
+    for (int k = 0; k < 3; k++)
+        p[k] = (int32_t)(zs_persp_over(zs_plane_at(&job->c[first + 3 + k], i, row), w, rcp, lz) >>
+                         7) -
+               32768 * 256; /* uq1_31 of 65536 steps */
+    zs_lit_place(at, in, p);
+}
+
+/* Stages of textures lit at each pixel: mesh->uv, normal and place. */
+void zs_gloss_phong_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
+void zs_gloss_phong_start(struct zs_job *job);
+
 /* A code of RGB565 in light (uq16_16, < 2^21), with `more` on top (65535 is full, < 2^22). */
 static inline uint32_t zs_gloss_code(uint32_t code, uint32_t light, uint32_t more, uint32_t most)
 {

@@ -1,8 +1,5 @@
 /* Textures lit at each pixel: Phong shading, highlights on top.
  *
- * A normal n as a varying is n + 32768 of 65536. Times w, both are linear on the screen, and so is
- * their difference, N w, whose direction is that of N: nothing is divided for it.
- *
  * SPDX-License-Identifier: MIT
  */
 #include "effect/gloss.h"
@@ -10,7 +7,7 @@
 #if ZS_VARYINGS_MAX >= 8
 static const struct zs_shader as_unlit = { .n_varyings = 2 };
 
-static void pixel_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+void zs_gloss_phong_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
     const struct zs_mesh *const mesh = s->instance->mesh;
     out[0] = (uint16_t)(mesh->uv[v][0] + 32768);
@@ -18,31 +15,10 @@ static void pixel_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
     zs_phong_near_vertex(s, v, out + 2);
 }
 
-static void pixel_start(struct zs_job *job)
+void zs_gloss_phong_start(struct zs_job *job)
 {
     zs_gloss_start_as(job, &as_unlit);
     zs_gloss_planes(job, 2, 8);
-}
-
-/* Set at->pos and at->n at a covered pixel. */
-static void point_at(const struct zs_job *job, const struct zs_instance *in, int32_t i, int32_t row,
-                     int placed, struct zs_lit_at *at)
-{
-    uint32_t w, square;
-    int32_t lz, n[3], p[3], exp;
-    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
-    const int turned = job->tri->paint & ZS_PHONG_TURNED;
-    for (int k = 0; k < 3; k++) { /* < 2^31 - 2^30, both */
-        const int32_t nw = (int32_t)(zs_plane_at(&job->c[2 + k], i, row) - (w >> 1));
-        n[k] = turned ? -nw : nw;
-    }
-    (void)zs_lit_unit(at->n, n, &square, &exp);
-    if (!placed)
-        return;
-    for (int k = 0; k < 3; k++)
-        p[k] = (int32_t)(zs_persp_over(zs_plane_at(&job->c[5 + k], i, row), w, rcp, lz) >> 7) -
-               32768 * 256; /* uq1_31 of 65536 steps */
-    zs_lit_place(at, in, p);
 }
 
 static void pixel_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
@@ -59,7 +35,7 @@ static void pixel_run(struct zs_job *job, const struct zs_row *row, int32_t from
     for (int32_t i = from; i < to; i++) {
         struct zs_lit_sum sum;
         uint32_t more[3];
-        point_at(job, in, i, row->y, placed, &at);
+        zs_gloss_point(job, in, i, row->y, 2, placed, &at);
         if (near)
             zs_lit_view(&at, camera, 1);
         zs_lit_add(m, &at, &sum);
@@ -70,8 +46,9 @@ static void pixel_run(struct zs_job *job, const struct zs_row *row, int32_t from
 }
 
 const struct zs_shader zs_shade_texture_phong = {
-    .vertex = pixel_vertex, .face = zs_phong_face, .start = pixel_start, .run = pixel_run,
-    .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_PHONG, .opaque = 1
+    .vertex = zs_gloss_phong_vertex, .face = zs_phong_face, .start = zs_gloss_phong_start,
+    .run = pixel_run, .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_PHONG,
+    .opaque = 1
 };
 #else
 const struct zs_shader zs_shade_texture_phong = ZS_GLOSS_REFUSED(ZS_VARYINGS_TEXTURE_PHONG);

@@ -41,19 +41,7 @@ static void light_begin(struct light *l, const struct zs_job *job, const struct 
 static void point_at(struct light *l, const struct zs_job *job, const struct zs_instance *in,
                      int32_t i, int32_t row, int first)
 {
-    uint32_t w, square;
-    int32_t lz, n[3], p[3], exp;
-    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
-    const int turned = job->tri->paint & ZS_PHONG_TURNED;
-    for (int k = 0; k < 3; k++) { /* < 2^31 - 2^30, both */
-        const int32_t nw = (int32_t)(zs_plane_at(&job->c[first + k], i, row) - (w >> 1));
-        n[k] = turned ? -nw : nw;
-        p[k] = (int32_t)(zs_persp_over(zs_plane_at(&job->c[first + 3 + k], i, row), w, rcp, lz) >>
-                         7) -
-               32768 * 256; /* uq1_31 of 65536 steps */
-    }
-    (void)zs_lit_unit(l->at.n, n, &square, &exp);
-    zs_lit_place(&l->at, in, p);
+    zs_gloss_point(job, in, i, row, first, 1, &l->at);
     if (l->one.flags & ZS_LIT_NEAR_VIEWER)
         zs_lit_view(&l->at, &job->r->camera, 1);
 }
@@ -135,20 +123,6 @@ const struct zs_shader zs_shade_shadowed_phong = ZS_GLOSS_REFUSED(ZS_VARYINGS_SH
 #if ZS_VARYINGS_MAX >= 8
 static const struct zs_shader as_unlit = { .n_varyings = 2 };
 
-static void texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
-{
-    const struct zs_mesh *const mesh = s->instance->mesh;
-    out[0] = (uint16_t)(mesh->uv[v][0] + 32768);
-    out[1] = (uint16_t)(mesh->uv[v][1] + 32768);
-    zs_phong_near_vertex(s, v, out + 2);
-}
-
-static void texture_start(struct zs_job *job)
-{
-    zs_gloss_start_as(job, &as_unlit);
-    zs_gloss_planes(job, 2, 8);
-}
-
 static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct zs_instance *const in = zs_instance_of(job->r, job->tri->instance);
@@ -174,8 +148,9 @@ static int texture_check(const struct zs_instance *in, const struct zs_config *c
 }
 
 const struct zs_shader zs_shade_shadowed_texture_phong = {
-    .vertex = texture_vertex, .face = zs_phong_face, .start = texture_start, .run = texture_run,
-    .check = texture_check, .n_varyings = ZS_VARYINGS_SHADOWED_TEXTURE_PHONG, .opaque = 1
+    .vertex = zs_gloss_phong_vertex, .face = zs_phong_face, .start = zs_gloss_phong_start,
+    .run = texture_run, .check = texture_check, .n_varyings = ZS_VARYINGS_SHADOWED_TEXTURE_PHONG,
+    .opaque = 1
 };
 #else
 const struct zs_shader zs_shade_shadowed_texture_phong =

@@ -99,7 +99,7 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     const struct zs_renderer *r = job->r;
     const struct zs_view *view = &r->view;
     const int32_t beyond = zs_max32(zs_max32(s.dd1, s.dd2), 0);
-    const uint32_t change = (uint32_t)(beyond - zs_min32(zs_min32(s.dd1, s.dd2), 0));
+    const uint32_t change = (uint32_t)beyond - (uint32_t)zs_min32(zs_min32(s.dd1, s.dd2), 0);
     if (s.a->d + (uint32_t)beyond > view->key_known || change > view->key_slow)
         return 0;
     const struct zs_instance *in = zs_instance_of(r, job->tri->instance);

@@ -96,7 +96,7 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
         (void)draw_lit(&job);
 }
 
-/* PROVE small_textures -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1
+/* PROVE small_textures -eva-split-return-function=zs_small_look:0:1,zs_small_place:0:1:2,zs_small_keys:0:1
  * -eva-use-spec=recip_in_line,zs_plane_quotient,palette_lit: every triangle of up to 2^14 sub-pixels each way,
  * coordinates that differ by less than 2^14, every uv_bits, any texture, keys and pieces of 2^19 .. 2^31, its top
  * corner at both ends of its range and at 0, there on a sample and a sub-pixel beside it, strips from above it, from
