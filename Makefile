@@ -40,7 +40,8 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	+@$(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut $(B)/web/index.html
+	+@build=$(B); . tests/lib/ccache.sh; \
+	    $(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut $(B)/web/index.html
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute;

@@ -23,19 +23,7 @@ parts=tests/parts.txt
 WERROR=-Werror # what parts compile by make
 DEBUG= # and no test looks at what a debugger would: a fifth less to compile for boards
 export WERROR DEBUG
-# Many parts compile the same source with the same options: once, where ccache is installed. The cache is of this build
-# folder. Headers are those that the compiler names (-MMD), without running the preprocessor by itself; where a copy of
-# the repository lies does not matter.
-ccache=$(command -v ccache)
-if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
-    CCACHE_DIR=$(cd "$build/ccache" && pwd)
-    for compiler in gcc cc clang arm-none-eabi-gcc arm-linux-gnueabihf-gcc riscv64-unknown-elf-gcc; do
-        ln -sf "$ccache" "$CCACHE_DIR/bin/$compiler"
-    done
-    PATH=$CCACHE_DIR/bin:$PATH
-    CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1
-    export PATH CCACHE_DIR CCACHE_DEPEND CCACHE_NOHASHDIR
-fi
+. tests/lib/ccache.sh
 
 # Name, seconds, uses and after of every part of this run, the longest first
 list() {

@@ -18,6 +18,9 @@
  * counts what bench_frame takes from its call to its return; instructions are 0. Where BENCH_ARENA does not hold the
  * pools they are cut, and take passes.
  *
+ * After the frame of the checksum, BENCH_RUNS more (2) are counted, of bars of memory BENCH_BAR_RUNS; 0: instructions
+ * are 0.
+ *
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
@@ -35,7 +38,12 @@
 #define BENCH_COUNTED 0
 #define BENCH_POOLS { 0, 0, 0 }
 #endif
-#define RUNS 2
+#ifndef BENCH_RUNS
+#define BENCH_RUNS 2
+#endif
+#ifndef BENCH_BAR_RUNS
+#define BENCH_BAR_RUNS BENCH_RUNS
+#endif
 #define RESERVE 4608u /* of a RAM bar, for renderer, scene state and stack; checked where the stack is known */
 #ifndef BENCH_ARENA
 #define BENCH_ARENA (3u << 20)
@@ -47,7 +55,7 @@ static struct demo_frame frame;
 
 struct result {
     struct zs_stats stats;
-    uint64_t instructions; /* the least of RUNS; 0: this machine does not count them */
+    uint64_t instructions; /* the least of the runs; 0: this machine does not count them */
     uint64_t spread;       /* most minus least of the runs, instructions */
     uint64_t checksum;
     uint32_t stack;        /* bytes from the stack's top; 0: unknown */
@@ -136,22 +144,24 @@ static uint64_t measure(int *err)
     return (hal_ticks() - start) * hal_tick_instructions();
 }
 
-/* A frame for its checksum, then RUNS of them for their instructions, the last one for its stack too. */
-static void run(struct result *out)
+/* A frame for its checksum, then some for their instructions, the last one for its stack too. */
+static void run(struct result *out, int runs)
 {
-    uint64_t n[RUNS];
+    uint64_t least = 0, most = 0;
     out->checksum = REPORT_HASH;
     const struct zs_sink sink = { .submit = report_hash, .ctx = &out->checksum };
     out->err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
-    for (int i = 0; i < RUNS && !out->err; i++) {
+    for (int i = 0; i < runs && !out->err; i++) {
         hal_stack_paint();
-        n[i] = measure(&out->err);
+        const uint64_t n = measure(&out->err);
+        least = i && least < n ? least : n;
+        most = most > n ? most : n;
     }
     if (out->err)
         return;
-    out->stack = hal_stack_used();
-    out->instructions = n[0] < n[1] ? n[0] : n[1];
-    out->spread = n[0] < n[1] ? n[1] - n[0] : n[0] - n[1];
+    out->stack = runs ? hal_stack_used() : 0;
+    out->instructions = least;
+    out->spread = most - least;
     out->stats = *zs_frame_stats(&renderer);
 }
 
@@ -275,7 +285,7 @@ static int fast_variant(const struct demo *d, const char *name, const struct zs_
     c.fast = fast;
     r.err = zs_init(&renderer, &c, arena, sizeof arena);
     if (!r.err)
-        run(&r);
+        run(&r, BENCH_RUNS);
     if (!*checksum)
         *checksum = r.checksum;
     line(d, name, &c, &r);
@@ -370,7 +380,7 @@ static int bench_bars(const struct demo *d, const struct zs_config *most, uint64
         width = c.width;
         height = c.height;
         if (!r.err)
-            run(&r);
+            run(&r, BENCH_BAR_RUNS);
         if (resized)
             checksum = r.checksum;
         line(d, bar->name, &c, &r);
@@ -388,7 +398,7 @@ static int bench(const struct demo *d)
     d->pose(&frame, 0, d->width, d->height);
     r.err = one_pass(&most, d);
     if (!r.err)
-        run(&r);
+        run(&r, BENCH_RUNS);
     line(d, "one-pass", &most, &r);
     const uint64_t checksum = r.checksum;
     failed += disagrees(&r, checksum);
@@ -396,7 +406,7 @@ static int bench(const struct demo *d)
         return failed;
     r.err = configure(&one, d, d->height, 1, most.max_tris, most.max_verts);
     if (!r.err)
-        run(&r);
+        run(&r, BENCH_RUNS);
     line(d, "one-strip", &one, &r);
     failed += disagrees(&r, checksum);
     if (d == &demo_crowd_ftb || d == &demo_crowd_btf)

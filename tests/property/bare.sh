@@ -17,16 +17,17 @@ out=$build/bare
 mkdir -p "$out"
 
 # ---- Bench scenes: "scene checksum" of every line; the full build's are of this machine ------------------------------
+# Instructions are counted of one-pass frames, each drawn once more
 
 firmware() { # MAKE-VARIABLES... GOAL
-    make -s -j"$(nproc)" -f firmware/boards/firmware.mk B="$build" NAME=bench APP_SRC=firmware/app/bench.c "$@"
+    timeout 600 make -s -j"$(nproc)" -f firmware/boards/firmware.mk B="$build" NAME=bench APP_SRC=firmware/app/bench.c \
+        APP_FLAGS='-DBENCH_RUNS=1 -DBENCH_BAR_RUNS=0' "$@"
 }
 bench() { # NAME MAKE-VARIABLES...
     name=$1
     shift
     firmware "$@" all >"$out/$name.log" 2>&1 || { cat "$out/$name.log"; return 1; }
-    timeout 600 make -s -f firmware/boards/firmware.mk B="$build" NAME=bench APP_SRC=firmware/app/bench.c "$@" run \
-        >"$out/$name.csv" 2>&1
+    firmware "$@" run >"$out/$name.csv" 2>&1
     grep -q '^# ok' "$out/$name.csv"
 }
 frames() { # NAME

@@ -1,10 +1,13 @@
 #!/bin/sh
 # Every two options of effects of zsim render together, on a model in flat, smooth and textured shading: which are
 # drawn, which are refused and with what sentence. Where two are drawn, each of them is seen in the picture.
-# Usage: tests/tools/effect_pairs.sh ZSIM WORKDIR     from the repository's top; ZSIM built with ASan and UBSan
+# Usage: tests/tools/effect_pairs.sh CHECKED WORKDIR SHIPPED     from the repository's top; zsim built with ASan and
+#                                                                UBSan, and without
 #
 # SPDX-License-Identifier: MIT
 . tests/tools/zsim.sh
+checked=$zsim
+case $3 in /*) shipped=$3 ;; *) shipped=$top/$3 ;; esac
 
 gcc -O1 -Wall -Wextra -Werror "$top/tests/tools/fixture.c" -lpng -lturbojpeg -o "$work/fixture" || exit 1
 mkdir -p out
@@ -48,8 +51,15 @@ view='--size 64x64 --eye 100,120,220 --at 0,-20,0'
 look_of() { # SHADE: the shading's options
     case $1 in textured) echo --shade textured --texture fine.png ;; *) echo "--shade $1 --color c08040" ;; esac
 }
+option_of() { # NAME    its kind and options in $kind and $option; a loop costs less than a program for each of 500
+    while read -r named kind option; do
+        [ "$named" != "$1" ] || return 0
+    done <options.txt
+    return 1
+}
 letter() { # the sentence of a refusal, in a letter; two options that do not go together are both named
-    case $(cat stderr) in
+    IFS= read -r sentence <stderr
+    case $sentence in
     *'--per-pixel needs --shade smooth or textured'*) echo n ;;
     *'--filter needs --shade textured, textured-flat or unlit, or an --environment'*) echo f ;;
     *'colours are dithered with --shade smooth alone; for fewer colours name a grey or one-bit --panel'*) echo d ;;
@@ -60,24 +70,28 @@ letter() { # the sentence of a refusal, in a letter; two options that do not go 
     esac
 }
 together() { # SHADE NAME NAME: its letter in $seen
-    first=$(sed -n "s/^$2 [^ ]* //p" options.txt)
-    second=$(sed -n "s/^$3 [^ ]* //p" options.txt)
+    option_of "$2" && first=$option
+    option_of "$3" && second=$option
     [ "$2" != "$3" ] || second=
     # shellcheck disable=SC2046,SC2086
     z render ball.obj $(look_of "$1") $view $first $second --out "out/$2-$3.png"
     case $status in 0) seen=+ ;; 1 | 2) seen=$(letter) ;; *) seen='?' ;; esac
     [ "$seen" != '?' ] || wrong "$2 and $3: status $status: $(said)"
 }
+# Smooth shading has the most effects and is drawn under ASan and UBSan, the others by zsim as it is shipped.
 table() { # SHADE <TABLE    of each option a row: a letter for each one before it and for itself; - for one of its kind
     begin "pairs_$1"
     rm -f out/*.png
+    zsim=$shipped
+    [ "$1" != smooth ] || zsim=$checked
     while read -r this want; do
         row=
-        kind=$(sed -n "s/^$this \([^ ]*\) .*/\1/p" options.txt)
+        option_of "$this" && own=$kind
         together "$1" "$this" "$this"
         alone=$seen
         for other in $before; do
-            if grep -q "^$other $kind " options.txt; then
+            option_of "$other"
+            if [ "$kind" = "$own" ]; then
                 row=$row-
                 continue
             fi
