@@ -21,6 +21,7 @@ void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const s
                 uint32_t n_instances)
 {
     const uint32_t rows = c->strip_h < c->height ? c->strip_h : c->height;
+    const struct sim_method *method = sim_method_of(c); /* NULL: zs_method_transparent, without records of its own */
     memset(ram, 0, sizeof *ram);
     ram->color = ZS_COLOR_BYTES(c->width, rows, c->buffers);
     ram->depth = c->depth->span == NULL ? ZS_DEPTH_BYTES(c->width, rows) : 0u;
@@ -31,7 +32,7 @@ void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const s
     ram->attrs = ZS_VERT_BYTES(c->max_verts, c->varyings) - ZS_VERT_BYTES(c->max_verts, 0);
     ram->numbers = ZS_VERT_BYTES(c->max_verts, 0) - ram->verts;
     ram->arena = zs_arena_bytes(c);
-    ram->shared = ram->tris - ZS_TRI_BYTES(budget_method_holds(sim_method_of(c), c->max_tris));
+    ram->shared = method ? ram->tris - ZS_TRI_BYTES(budget_method_holds(method, c->max_tris)) : 0u;
     ram->renderer = RECORD_zs_renderer;
     ram->scene = RECORD_zs_scene + RECORD_zs_camera + n_instances * RECORD_zs_instance;
     ram->watch = (uint32_t)(ZS_STRIPS(c->height, rows) * 8u * (uint32_t)rq->watch);

@@ -112,6 +112,17 @@ static uint32_t next_size(uint32_t verts)
     return n < ZS_POOL_MAX ? n : ZS_POOL_MAX;
 }
 
+/* The least pools of the method that was asked for, or of the one that sorts what is transparent. */
+static void hold_method(struct zs_config *c, const struct sim_method *method)
+{
+    if (c->method == &zs_method_transparent) {
+        c->max_tris = c->max_tris < 2 ? 2 : c->max_tris;
+        c->max_verts = c->max_verts < 6 ? 6 : c->max_verts;
+    } else {
+        sim_method_apply(c, method);
+    }
+}
+
 /* Pools that take the scene in one pass, where none were asked for; then counts. */
 static int count_scene(struct budget *b, const struct budget_request *rq, const char *name,
                        const struct zs_scene *scene, const struct zs_camera *camera)
@@ -134,7 +145,7 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
         if (!rq->has_verts)
             c->max_verts = (uint16_t)(tries == 0 ? (verts < 3u ? 3u : verts)
                                                  : next_size(c->max_verts));
-        sim_method_apply(c, &sim_methods[rq->o.method]);
+        hold_method(c, &sim_methods[rq->o.method]);
     }
     err = err ? err : sim_costs_count(&b->counted, scene, camera, c);
     if (err)
@@ -258,7 +269,7 @@ static int count_drawn(void *ctx, const struct sim_drawn_scene *d)
     if (d->passes > 1)
         sim_effects_unknown(&b->counted, of->rq->o.effects.mirror ? "a mirror" : "fog behind what is transparent");
     b->data = (uint32_t)d->data_bytes;
-    if (has_effects(d->scene) && !of->rq->quiet)
+    if (status == SIM_OK && has_effects(d->scene) && !of->rq->quiet)
         (void)fprintf(stderr,
                       "%s: %s: the code of materials with transparency, highlights or emission is not in the flash; "
                       "%s\n",

@@ -109,6 +109,22 @@ for m in painter depthsort coverage raycast; do
     grep -q ', 1 pass, ' stdout || wrong "$m: $(head -1 stdout)"
 done
 
+# A pane before another: drawn in order, by zs_method_transparent, which takes the pools that are given or one pass
+printf 'newmtl glass\nKd 1 0 0\nd 0.5\n' >panes.mtl
+printf 'mtllib panes.mtl\nusemtl glass\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\nf 4 5 6\n' >panes.obj
+begin transparent_models_are_sorted_whatever_the_pools
+for pools in '' '--tris 40 --verts 40' '--tris 40' '--verts 40' '--tris 2 --verts 6'; do
+    z budget panes.obj --csv $pools
+    [ $status -eq 0 ] || wrong "status $status with '$pools': $(said)"
+    drawn=$(csv draw_RP2040)
+    sed '/^d /d' panes.mtl >solid.mtl
+    sed 's/panes/solid/' panes.obj >solid.obj
+    z budget solid.obj --csv $pools
+    [ "${drawn:-0}" -gt "$(csv draw_RP2040)" ] || wrong "with '$pools' glass takes $drawn, solid $(csv draw_RP2040)"
+done
+z budget panes.obj --tris 1 --verts 40
+one_line 1 'panes.obj: '
+
 begin largest_scene_in_16_KB
 budget --methods --size 128x64 --strip 8 --buffers 1 --csv
 cp stdout methods.csv
