@@ -77,6 +77,8 @@ static char *folder_of(const char *path)
 int sim_output_check(const char *name, const char *source)
 {
     struct stat st, from;
+    if (strcmp(name, "-") == 0)
+        return SIM_OK;
     const int exists = stat(name, &st) == 0;
     if (exists && S_ISDIR(st.st_mode))
         return sim_refuse(name, 0, "cannot be written: it is a directory");
@@ -172,6 +174,17 @@ static FILE *open_beside(struct sim_output *out, const struct stat *st)
     return f;
 }
 
+/* Standard output, which stays open when the file is closed. */
+static FILE *open_standard(void)
+{
+    (void)fflush(stdout);
+    const int fd = dup(STDOUT_FILENO);
+    FILE *f = fd >= 0 ? fdopen(fd, "wb") : NULL;
+    if (f == NULL && fd >= 0)
+        (void)close(fd);
+    return f;
+}
+
 int sim_output_open(struct sim_output *out, const char *name)
 {
     struct stat st;
@@ -181,7 +194,9 @@ int sim_output_open(struct sim_output *out, const char *name)
     out->path = exists ? realpath(name, NULL) : NULL;
     if (out->path == NULL)
         out->path = strcpy(sim_alloc(strlen(name) + 1, 1), name);
-    if (exists && !S_ISREG(st.st_mode))
+    if (strcmp(name, "-") == 0)
+        out->file = open_standard();
+    else if (exists && !S_ISREG(st.st_mode))
         out->file = fopen(out->path, "wb");
     else
         out->file = open_beside(out, exists ? &st : NULL);

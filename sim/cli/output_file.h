@@ -11,7 +11,7 @@
 struct sim_output {
     FILE *file;       /* write here */
     char *path;       /* where it will be; symbolic links followed */
-    char *temporary;  /* where it is; NULL: a device or pipe, written directly */
+    char *temporary;  /* where it is; NULL: a device, a pipe or standard output, written directly */
     const char *name; /* as given, for messages; borrowed */
 };
 
@@ -19,7 +19,7 @@ struct sim_output {
  * why. source: a file that must not be overwritten, or NULL. */
 int sim_output_check(const char *name, const char *source);
 
-/* Open an output. Until sim_output_commit, what was at the path stays as it was.
+/* Open an output; "-" is standard output. Until sim_output_commit, what was at the path stays as it was.
  * SIM_OK; SIM_REFUSED, said why, nothing open. */
 int sim_output_open(struct sim_output *out, const char *name);
 

@@ -31,7 +31,8 @@ static const struct sim_option table[] = {
     { "--turntable", SIM_OPTION_COUNT, AT(turntable), 0, 1, SIM_TURNTABLE_MAX,
       .help = "N views, {range}, of the model as it turns once around; --out is an animated PNG then, or a GIF or MP4 "
               "where its name ends so" },
-    { "--stats", SIM_OPTION_FILE, AT(stats), .value = "S.json", .help = "what the frame took, an object of numbers" },
+    { "--stats", SIM_OPTION_FILE, AT(stats), .value = "S.json", 
+      .help = "what the frame took, an object of numbers; - (as for the other files) is standard output" },
     { "--explain", SIM_OPTION_FLAG, AT(explain),
       .help = "what is wrong with the picture, in sentences on stderr; without it on a terminal, if nothing is seen" },
     { "--reference", SIM_OPTION_FLAG, AT(reference), .help = "all of it from the double-precision reference instead" },

@@ -123,6 +123,7 @@ struct figures {
     struct budget worst;    /* of the view that takes the most pools */
     double cycles[BUDGET_USUAL_PARTS]; /* of the slowest view */
     uint32_t ram;
+    uint32_t left_out; /* triangles without an area */
 };
 
 static int count(struct figures *f, const struct sim_options *o, const struct sim_model *model)
@@ -152,6 +153,9 @@ static int count(struct figures *f, const struct sim_options *o, const struct si
         }
         sim_progress("counting", k, PROBES);
     }
+    f->left_out = model->n_tris;
+    for (uint32_t i = 0; status == SIM_OK && i < kept.scene.n_parts; i++)
+        f->left_out -= kept.scene.instance[i].mesh->n_tris;
     sim_kept_free(&kept);
     return status;
 }
@@ -165,12 +169,14 @@ static void print(const struct request *rq, const struct sim_model *model, const
 {
     const struct budget *b = &f->worst;
     const struct zs_config *c = &b->config;
-    printf("%s: %u triangles, %u point%s, %u material%s, %u texture%s\n", rq->o.model,
-           model->n_tris, model->n_points, plural(model->n_points), model->n_materials,
+    printf("%s: %u triangle%s, %u point%s, %u material%s, %u texture%s\n", rq->o.model,
+           model->n_tris, plural(model->n_tris), model->n_points, plural(model->n_points), model->n_materials,
            plural(model->n_materials), model->n_textures, plural(model->n_textures));
     sim_simplify_print(stdout, "  ", model);
     if (model->lost_materials != NULL)
         printf("  not used: material file %s, which cannot be read\n", model->lost_materials);
+    if (f->left_out > 0)
+        printf("  not used: %u triangle%s without an area\n", f->left_out, plural(f->left_out));
     sim_losses_print(stdout, "  ", model->lost);
     printf("  shading        %s, %s\n", shade_name(rq->o.shade),
            rq->o.cull == ZS_CULL_NONE ? "both sides of faces, since some are seen from behind"

@@ -29,10 +29,13 @@ static int make_all(struct work *w, int by_color, int *done)
     *done = sim_groups_make(w, by_color);
     for (uint32_t i = 0; *done && status == SIM_OK && i < w->groups.n; i++)
         status = sim_group_cut(w, i);
-    if (status == SIM_OK && *done && out->n_tris == 0)
+    if (status == SIM_OK && *done && out->n_tris == 0 && out->n_flat_before == w->model->n_tris)
+        status = sim_refuse(w->model->file, 0, "no triangle in it has an area: their corners lie on lines; repair it");
+    else if (status == SIM_OK && *done && out->n_tris == 0)
         status = sim_refuse(w->model->file, 0,
-                            "none of its %u triangles has an area on a grid of %g; give --precise, or repair it",
-                            w->model->n_tris, w->steps->fine ? w->steps->step / 256.0 : w->steps->step);
+                            "none of its triangles has an area on a grid of %g: they are too small beside the whole; "
+                            "remove what lies far away, or give --precise to zsim convert or render",
+                            w->steps->fine ? w->steps->step / 256.0 : w->steps->step);
     return status;
 }
 

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -48,8 +49,16 @@ const char *sim_gltf_words(const char *file, const char *heard)
         { "has no faces", "no faces in it; zsim draws polygons" },
         { "out-of-range indices", "its faces name vertices that are not there; export the model again" },
     };
+    static char missing[200];
     if (!ends_in(file, ".glb") && !ends_in(file, ".gltf"))
         return NULL;
+    const char *name = strstr(heard, "could not open referenced file \"");
+    if (name != NULL) {
+        name = strchr(name, '"') + 1;
+        (void)snprintf(missing, sizeof missing, "it names %.*s, which is not there; put that file beside it",
+                       (int)(strcspn(name, "\"") < 100 ? strcspn(name, "\"") : 100), name);
+        return missing;
+    }
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (strstr(heard, known[i].heard) != NULL)
             return known[i].words;

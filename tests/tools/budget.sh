@@ -111,7 +111,8 @@ done
 
 # A pane before another: drawn in order, by zs_method_transparent, which takes the pools that are given or one pass
 printf 'newmtl glass\nKd 1 0 0\nd 0.5\n' >panes.mtl
-printf 'mtllib panes.mtl\nusemtl glass\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\nf 4 5 6\n' >panes.obj
+printf 'mtllib panes.mtl\nusemtl glass\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\n' >panes.obj
+printf 'f 1 2 3\nf 4 5 6\n' >>panes.obj
 begin transparent_models_are_sorted_whatever_the_pools
 for pools in '' '--tris 40 --verts 40' '--tris 40' '--verts 40' '--tris 2 --verts 6'; do
     z budget panes.obj --csv $pools

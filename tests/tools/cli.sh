@@ -190,6 +190,16 @@ z render quad.obj $plain --out=out/e.png --depth-out=out/e.pgm --id-out=out/e.u3
 is status $status 0
 same quad e
 
+begin minus_is_standard_output
+z render quad.obj $plain --out out/f.png --stats -
+cp stdout out/minus.json
+is "triangles" "$(stat_of minus triangles_drawn)" 2
+z render quad.obj $plain --out - --stats out/f.json
+cmp -s stdout out/f.png || wrong 'the picture on standard output is another one'
+[ ! -e - ] || wrong 'a file is called -'
+z render quad.obj $plain --out - --stats -
+one_line 1 '-: is named for two outputs'
+
 begin model_after_the_options
 z render $plain --out out/e.png --depth-out out/e.pgm --id-out out/e.u32 quad.obj
 is status $status 0
@@ -675,7 +685,7 @@ done
 head -c 30 quad.bin >short.bin
 sed 's/quad.bin/short.bin/' quad.gltf >short.gltf
 refused gltf_with_a_short_buffer '' short.gltf
-refused no_area 'none of its 1 triangles has an area' line.obj
+refused no_area 'no triangle in it has an area' line.obj
 obj points 'v 0 0 0' 'v 1 0 0' 'v 0 1 0'
 refused no_faces 'no faces' points.obj
 obj lines 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'l 1 2 3' 'p 1'

@@ -678,7 +678,7 @@ refused unit_too_small 1 'give --unit' tetra.obj --name m --out none --unit 0.5
 printf 'v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n' >point.obj
 refused no_extent 1 'no extent' point.obj --name m --out none
 printf 'v 0 0 0\nv 1 0 0\nv 3 0 0\nf 1 2 3\n' >line.obj
-refused no_area 1 'none of its 1 triangles has an area' line.obj --name m --out none
+refused no_area 1 'no triangle in it has an area' line.obj --name m --out none
 printf 'v 0 0 0\nv 1 0 0\nv 3 0 0\n' >empty.obj
 refused no_triangles 1 'no faces' empty.obj --name m --out none
 printf 'v 1000000.5 0.3 0\nv 1000001.7 0 0\nv 1000000 1 0\nf 1 2 3\n' >far.obj

@@ -42,7 +42,7 @@ sh tests/boards/pico.sh "$top" set-up
 if [ -d "$top/pico/node_modules/rp2040js" ]; then
     if ! drawn pico image >"$out/log" 2>&1 ||
         ! node "$top/pico/calls.mjs" "$top/fw/pico/examples" example_ >"$out/pico.txt" 2>>"$out/log" ||
-        ! firmware pico '' APP=show SCENE=mine image >"$out/show.size" 2>>"$out/log" ||
+        ! firmware pico my_scene APP=show SCENE=mine image >"$out/show.size" 2>>"$out/log" ||
         ! node "$top/pico/run.mjs" "$top/fw/pico/my_scene" --frames 4 --step 13 >"$out/show.txt" 2>>"$out/log"; then
         cat "$out/log"
         bad "examples on the RP2040" "see above"

@@ -81,6 +81,10 @@ for zsim in "$sanitized" "$plain"; do
 done
 zsim=$sanitized
 
+begin buffer_that_is_missing
+gltf '{"mesh":0}' none.bin >missing.gltf
+refused_soon missing.gltf 'it names none.bin, which is not there; put that file beside it'
+
 begin buffers_and_textures_that_are_no_files
 gltf '{"mesh":0}' fifo.bin >buffer_fifo.gltf
 refused_soon buffer_fifo.gltf 'names fifo.bin, which is not a regular file'

@@ -186,6 +186,13 @@ is "scene data" "$data" "$(awk '$1 == "scene" && $2 == "data" { print $3 }' stdo
 awk -v ours="$ram" '/^Flash/ { exit } $1 == "together" { exit !(ours > 0.9 * $2 && ours < 1.1 * $2) }' stdout ||
     wrong "RAM is $ram, of zsim budget $(grep together stdout | head -n 1)"
 
+begin triangles_without_an_area_are_named
+{ cat ball.obj; echo 'f 1 1 2'; echo 'f 2 3 2'; } >flat_too.obj
+trial a flat_too.obj
+grep -q '^  not used: 2 triangles without an area$' stdout || wrong "$(sed -n 2,4p stdout)"
+trial a ball.obj
+! grep -q 'not used' stdout || wrong "$(grep 'not used' stdout)"
+
 begin render_turntable
 for size in 60x60 50x80; do
     z render colors.obj --turntable 4 --out turn.png --size $size --eye 1,2,9 --at 1,1,0.5 --cull none

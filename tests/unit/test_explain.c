@@ -1113,7 +1113,7 @@ static const struct mistake more[] = {
     { "normals 0", smooth, normals_0, 0, I0 ": all normals of its mesh are 0: it gets ambient light alone" },
     { "face normals 0", NULL, face_normals_0, 0, I0 ": all normals of its mesh are 0" },
     { "face normals inwards", NULL, face_normals_inwards, 0, I0 ": mesh.face_normal points away * 12 of 12" },
-    { "uv 0", textured, uv_0, 0, I0 ": all of mesh.uv is 0: one texel is all that is seen" },
+    { "uv 0", textured, uv_0, 0, I0 ": all of mesh.uv is the same: one texel is all that is seen" },
     { "no palette", textured, palette_null, ZS_ERR_NULL, I0 " is refused: its texture's palette is NULL" },
     { "no texel", textured, texel_null, ZS_ERR_NULL, I0 " is refused: its texture's texel is NULL" },
     { "no format", textured, format_null, ZS_ERR_NULL, I0 " is refused: its texture's format is NULL" },
@@ -1143,6 +1143,123 @@ static const struct mistake more[] = {
 static void more_mistakes(void **state)
 {
     CHECK_ALL(more);
+}
+
+/* ---- Mistakes in counts and sizes, which nothing else shows ------------------------------------ */
+
+/* A picture of 2^w x 2^h texels, as pictures are: neighbours are alike, the borders are not. */
+static void picture_565(struct world *w, uint32_t log2_w, uint32_t log2_h)
+{
+    static uint16_t image[64 * 64];
+    struct prng p = { log2_w * 8 + log2_h };
+    for (uint32_t i = 0; i < 1u << (log2_w + log2_h); i++) {
+        const uint32_t x = i % (1u << log2_w), y = i >> log2_w;
+        const uint32_t red = (x << 5 >> log2_w) * 7 / 8 + prng_pick(&p, 3), green = (y << 6 >> log2_h) * 7 / 8;
+        image[i] = (uint16_t)(red << 11 | (green + prng_pick(&p, 5)) << 5 | (20u - (red >> 1)));
+    }
+    w->texture.format = &zs_texel_565;
+    w->texture.texel = image;
+    w->texture.palette = NULL;
+    w->texture.log2_w = (uint8_t)log2_w;
+    w->texture.log2_h = (uint8_t)log2_h;
+}
+
+/* The same with 16 colours. */
+static void picture_pal4(struct world *w, uint32_t log2_w, uint32_t log2_h)
+{
+    static uint8_t number[64 * 64 / 2];
+    static uint16_t greys[16];
+    picture_565(w, log2_w, log2_h);
+    const uint16_t *const image = w->texture.texel;
+    memset(number, 0, sizeof number);
+    for (uint32_t i = 0; i < 1u << (log2_w + log2_h); i++)
+        number[i / 2] |= (uint8_t)(((image[i] >> 12) + (image[i] >> 7 & 15)) / 2 << i % 2 * 4);
+    for (uint32_t k = 0; k < 16; k++)
+        greys[k] = (uint16_t)(k << 12 | k << 7 | k << 1);
+    w->texture.format = &zs_texel_pal4;
+    w->texture.texel = number;
+    w->texture.palette = greys;
+    w->texture.n_colors = 16;
+}
+
+static void world_torus(struct world *w)
+{
+    static struct shape torus;
+    shape_begin(&torus);
+    shape_torus(&torus, 12, 8, 6000, 2500);
+    shape_end(&torus);
+    torus.mesh.scale = ZS_Q16_ONE / 6;
+    torus.mesh.radius += 2;
+    w->instance[0].mesh = &torus.mesh;
+    w->config.max_tris = w->config.max_verts = 900;
+    zs_pose_turn(&w->instance[0].pose, 0, ZS_DEGREES(60), 0);
+}
+
+static void with_orthographic(struct world *w)
+{
+    w->config.depth = &zs_depth_linear;
+    w->camera.projection = ZS_ORTHOGRAPHIC;
+    w->camera.height = (zs_q48_16)5000 << 16;
+}
+
+MAKE(wide_picture, textured(w); picture_565(w, 6, 4))
+MAKE(high_picture, textured(w); picture_565(w, 4, 6))
+MAKE(square_picture, textured(w); picture_565(w, 5, 5))
+MAKE(wide_pal4, textured(w); picture_pal4(w, 6, 4))
+MAKE(one_color, textured(w); w->texture.log2_w = w->texture.log2_h = 2)
+MAKE(exchanged, const uint8_t h = w->texture.log2_h; w->texture.log2_h = w->texture.log2_w; w->texture.log2_w = h)
+MAKE(log2_less, w->texture.log2_w--)
+MAKE(log2_more, w->texture.log2_w++; w->texture.log2_h--)
+MAKE(log2_0, w->texture.log2_w = w->texture.log2_h = 0)
+MAKE(uv_bits_16, w->cube.uv_bits = 16)
+MAKE(tris_3, w->cube.n_tris = 3)
+MAKE(tris_6, w->cube.n_tris = 6)
+MAKE(tris_of_half_a_sheet, w->sheet.n_tris = 64)
+MAKE(near_in_it, w->camera.z_near = 5000 << 16)
+MAKE(far_in_it, w->camera.z_far = 5200 << 16)
+MAKE(without_depth, w->config.depth = &zs_depth_none)
+MAKE(both_sides_without_depth, w->config.depth = &zs_depth_none; w->red.cull = ZS_CULL_NONE)
+MAKE(front_culled, w->red.cull = ZS_CULL_FRONT)
+MAKE(height_in_units, w->camera.height = 5000)
+MAKE(face_rgb_smooth, w->cube.face_rgb = grey)
+MAKE(vertex_rgb_flat, w->cube.vertex_rgb = grey)
+static const uint16_t side_beyond[4][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 8 } };
+MAKE(line_beyond, const struct zs_lines lines = { ZS_LINES(side_beyond, 4), .width = 2 }; w->lines = lines)
+
+#define HOLE "its back is seen, which is not drawn: it has a hole"
+#define ROWS_ARE(n) I0 ": the rows of its texture look " n " texels long, and log2_w is "
+#define COLORS I0 ": its shader does not read the colours of its mesh"
+static const struct mistake sizes[] = {
+    { "3 of 12 triangles", NULL, tris_3, 0, I0 ": 1 of 8 vertices are in no triangle: is mesh.n_tris right? It is 3." },
+    { "half of a sheet", world_sheet, tris_of_half_a_sheet, 0, I0 ": 36 of 81 vertices are in no triangle" },
+    { "6 of 12 triangles", NULL, tris_6, 0, I0 ": on * pixels " HOLE " (is mesh.n_tris right?)" },
+    { "6 of 12, smooth", smooth, tris_6, 0, I0 ": on * pixels " HOLE " (is mesh.n_tris right?)" },
+    { "near in it", NULL, near_in_it, 0, "near = 5000 cuts instance 0, which begins 2852 before it: lower near.\n" },
+    { "far in it", NULL, far_in_it, 0, "far = 5200 cuts instance 0, which ends 2948 beyond it: raise far.\n" },
+    { "near in it, orthographic", with_orthographic, near_in_it, 0, "near = 5000 cuts instance 0" },
+    { "far in it, orthographic", with_orthographic, far_in_it, 0, "far = 5200 cuts instance 0" },
+    { "no depth memory, concave", world_torus, without_depth, 0, I0 " is not convex, and there is no depth memory" },
+    { "no depth memory, both sides", NULL, both_sides_without_depth, 0, I0 " is not convex, and there is no" },
+    { "ZS_CULL_FRONT", NULL, front_culled, 0, I0 ": material.cull is ZS_CULL_FRONT: its far side is seen from inside" },
+    { "height in units", with_orthographic, height_in_units, ZS_ERR_RANGE,
+      I0 " is refused: the camera's height is 0.076, too small for it: was 5000 * 65536 meant?\n" },
+    { "face_rgb, smooth, and red", smooth, face_rgb_smooth, 0, COLORS },
+    { "vertex_rgb, flat, and red", NULL, vertex_rgb_flat, 0, COLORS },
+    { "a line beyond", with_lines, line_beyond, 0, I0 ": 1 of its lines or points name a vertex that is not there" },
+    { "log2_w for log2_h", wide_picture, exchanged, 0, ROWS_ARE("64") "4, which is 16: are log2_w and log2_h right" },
+    { "log2_h for log2_w", high_picture, log2_more, 0, ROWS_ARE("16") "5, which is 32" },
+    { "log2_w too small", wide_picture, log2_less, 0, ROWS_ARE("64") "5, which is 32" },
+    { "log2_w too small, square", square_picture, log2_less, 0, ROWS_ARE("32") "4, which is 16" },
+    { "log2_w too large", square_picture, log2_more, 0, ROWS_ARE("32") "6, which is 64" },
+    { "log2_w too small, pal4", wide_pal4, log2_less, 0, ROWS_ARE("64") "5, which is 32" },
+    { "log2_w too large, pal4", wide_pal4, exchanged, 0, ROWS_ARE("64") "4, which is 16" },
+    { "log2 0", one_color, log2_0, 0, I0 ": its texture is one texel: log2_w and log2_h are 0; of 64, it is 6.\n" },
+    { "uv_bits 16", textured, uv_bits_16, ZS_ERR_MESH, I0 " is refused: mesh.uv_bits is 16, and 15 is the most.\n" },
+};
+
+static void sizes_are_wrong(void **state)
+{
+    CHECK_ALL(sizes);
 }
 
 /* A large picture without accelerators is slow. */
@@ -1479,9 +1596,12 @@ static int right_case(uint64_t seed)
         shape[i].mesh.scale = (zs_uq16_16)prng_range(&p, 3000, 300000);
         shape[i].mesh.pos_lo = prng_pick(&p, 2) ? (const uint8_t(*)[3])shape[i].pos_lo : NULL;
         shape[i].mesh.radius += 2;
-        if (prng_pick(&p, 2))
-            shape[i].mesh.face_rgb = NULL;
+        const uint32_t paint = prng_pick(&p, 2);
         material[i].shader = shader[prng_pick(&p, 3)];
+        if (paint || material[i].shader != &zs_shade_flat)
+            shape[i].mesh.face_rgb = NULL;
+        if (paint || material[i].shader != &zs_shade_smooth)
+            shape[i].mesh.vertex_rgb = NULL;
         material[i].rgb.r = (uint8_t)prng_range(&p, 60, 255);
         material[i].rgb.g = (uint8_t)prng_pick(&p, 256);
         material[i].rgb.b = (uint8_t)prng_pick(&p, 256);
@@ -1669,6 +1789,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(one_pass_is_one),
     cmocka_unit_test(errors_name_the_thing),
     cmocka_unit_test(more_mistakes),
+    cmocka_unit_test(sizes_are_wrong),
     cmocka_unit_test(no_accelerators),
     cmocka_unit_test(scenes_are_right),
     cmocka_unit_test(examples_are_right),

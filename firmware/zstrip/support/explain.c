@@ -233,6 +233,9 @@ static void say_all(struct zs_explainer *e, const struct zs_stats *last)
     for (uint32_t i = 0; i < scene->n_instances; i++)
         zs_explain_instance_data(e, i, seen);
     zs_explain_draw(e, 0, 0, &all); /* the view is that of all instances again */
+    if (seen)
+        zs_explain_cut(e);
+    zs_explain_draw(e, 0, 0, &all);
     zs_explain_depth(e);
     zs_explain_hooks(e);
     say_slow(e, &all);

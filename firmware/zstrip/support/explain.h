@@ -54,8 +54,12 @@ int zs_explain_unseen(struct zs_explainer *e, uint32_t i, struct zs_seen *seen);
 void zs_explain_fate(struct zs_explainer *e, uint32_t i);
 /* Say what is wrong with the numbers of instance i. seen 0: zs_explain_unseen was called for it. */
 void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen);
-/* Say what is wrong with its mesh and texture; mesh, texture: 1 if no instance before has it. */
-void zs_explain_mesh(struct zs_explainer *e, uint32_t i, int mesh, int texture);
+/* Say what is wrong with its mesh. */
+void zs_explain_mesh(struct zs_explainer *e, uint32_t i);
+/* Say what its shape spoils: a hole, parts that cover others. It is drawn, and nothing was said. */
+void zs_explain_shape(struct zs_explainer *e, uint32_t i);
+/* Say what is wrong with its texture; mesh, texture: 1 if no instance before has it. */
+void zs_explain_texture(struct zs_explainer *e, uint32_t i, int mesh, int texture);
 /* Say that the camera's angles were typed as degrees. */
 void zs_explain_camera_turned(struct zs_explainer *e);
 /* Say what is wrong with the light's fields; all: what is seen of the scene. Return 1 if something
@@ -63,6 +67,8 @@ void zs_explain_camera_turned(struct zs_explainer *e);
 int zs_explain_light(struct zs_explainer *e, const struct zs_seen *all);
 /* Say why the picture is black or dark. */
 void zs_explain_dark(struct zs_explainer *e, const struct zs_seen *all);
+/* Say that near or far cuts all that is in view. */
+void zs_explain_cut(struct zs_explainer *e);
 /* Say what is wrong with the order of instances without depth memory, or with near and far. */
 void zs_explain_depth(struct zs_explainer *e);
 /* Say what is wrong with the resolve hooks. */

@@ -62,6 +62,49 @@ static void say_keys(struct zs_explainer *e)
     }
 }
 
+/* ---- Near and far ---------------------------------------------------------------------------- */
+
+/* All that is in view reaches beyond near or far, and more of the first of it is seen where they
+ * are farther out. The eye is not in it, as in a room or over a landscape. */
+void zs_explain_cut(struct zs_explainer *e)
+{
+    const struct zs_camera *const camera = e->camera;
+    const struct zs_camera own = e->r->camera, *const c = &own; /* of all draws but one */
+    struct zs_camera wide = own;
+    struct zs_bounds b;
+    struct zs_seen cut, whole;
+    uint32_t i = e->scene->n_instances;
+    for (uint32_t k = i; k-- > 0;) {
+        zs_explain_bounds(e, k, &b);
+        if (zs_cull_sphere(&b, c, &e->r->view))
+            continue;
+        if ((b.c[2] - b.r >= c->z_near && b.c[2] + b.r <= c->z_far) || zs_explain_eye_inside(&b))
+            return;
+        i = k;
+    }
+    if (i == e->scene->n_instances)
+        return;
+    zs_explain_bounds(e, i, &b);
+    const int64_t begins = b.c[2] - b.r, ends = b.c[2] + b.r;
+    const int near = begins < c->z_near;
+    if (!near)
+        wide.z_far = ends + 65536;
+    else
+        wide.z_near = c->projection == ZS_PERSPECTIVE ? c->z_near / 8 : begins - 65536;
+    zs_explain_draw(e, &e->scene->instance[i], 0, &cut);
+    e->camera = &wide;
+    zs_explain_draw(e, &e->scene->instance[i], 0, &whole);
+    e->camera = camera;
+    if (cut.sum == whole.sum || !whole.colored)
+        return;
+    ZS_PIECE(e, near ? "near = $ cuts instance %" : "far = $ cuts instance %",
+             near ? c->z_near : c->z_far, i);
+    ZS_SAY(e,
+           near ? ", which begins $ before it: lower near."
+                : ", which ends $ beyond it: raise far.",
+           near ? c->z_near - begins : ends - c->z_far);
+}
+
 /* ---- Order ----------------------------------------------------------------------------------- */
 
 /* Return 1 if instance k lies wholly behind i, and both overlap on the screen. */
@@ -169,10 +212,12 @@ static void strip_of(struct zs_explainer *e, const struct zs_strip *strip, struc
 {
     struct zs_renderer *const r = e->r;
     const struct zs_resolve *const hook = &e->scene->resolve[f->hook];
-    struct zs_target t = {
-        .color = r->color[1], .depth = strip->depth, .y0 = strip->y,
-        .y1 = (uint16_t)(strip->y + strip->h), .x1 = strip->w, .pitch = strip->w
-    };
+    struct zs_target t = { .color = r->color[1],
+                           .depth = strip->depth,
+                           .y0 = strip->y,
+                           .y1 = (uint16_t)(strip->y + strip->h),
+                           .x1 = strip->w,
+                           .pitch = strip->w };
     const uint32_t sum = hash_of(&t);
     compare(f, &t, 0);
     hook->draw(hook->ctx, &t);

@@ -249,12 +249,56 @@ static void say_doubled(struct zs_explainer *e, uint32_t i, uint32_t k)
            k);
 }
 
+/* Lines and points of vertices that are not there. */
+static void say_lines(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_instance *const in = &e->scene->instance[i];
+    struct zs_seen seen;
+    zs_explain_draw(e, in, 0, &seen);
+    if (seen.stats.tris_index)
+        ZS_SAY(e,
+               "instance %: % of its lines or points name a vertex that is not there: n_verts "
+               "is %.",
+               i, seen.stats.tris_index, in->mesh->n_verts);
+}
+
+/* Colours of a mesh that its shader does not read: without them the picture is the same. */
+static void say_colors(struct zs_explainer *e, uint32_t i)
+{
+    struct zs_instance one = e->scene->instance[i];
+    const struct zs_rgb *const rgb = &one.material->rgb;
+    const struct zs_rgb *const own = one.mesh->face_rgb ? one.mesh->face_rgb : one.mesh->vertex_rgb;
+    const uint32_t n = one.mesh->face_rgb ? one.mesh->n_tris : one.mesh->n_verts;
+    struct zs_mesh mesh = *one.mesh;
+    struct zs_seen with, without;
+    uint32_t k = 0;
+    while (own && k < n && own[k].r == rgb->r && own[k].g == rgb->g && own[k].b == rgb->b)
+        k++;
+    if (!own || k == n || !(rgb->r | rgb->g | rgb->b) || one.material->texture ||
+        one.material->primitive)
+        return;
+    for (uint32_t j = 0; j < e->scene->n_instances; j++)
+        if (j != i && e->scene->instance[j].mesh == one.mesh)
+            return; /* which may read them */
+    zs_explain_draw(e, &one, 0, &with);
+    mesh.face_rgb = mesh.vertex_rgb = 0;
+    mesh.face_raw = 0;
+    one.mesh = &mesh;
+    zs_explain_draw(e, &one, 0, &without);
+    if (with.colored && with.sum == without.sum)
+        ZS_SAY(e,
+               "instance %: its shader does not read the colours of its mesh: zs_shade_flat reads "
+               "face_rgb, zs_shade_smooth vertex_rgb.",
+               i);
+}
+
 /* ---- All of it ------------------------------------------------------------------------------- */
 
 void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen)
 {
     const struct zs_instance *const in = &e->scene->instance[i];
     const struct zs_texture *const x = in->material->texture;
+    const uint32_t before = e->said;
     uint32_t mesh = i, texture = i; /* the first instances, of these, that have them */
     for (uint32_t k = i > EARLIER ? i - EARLIER : 0; k < i; k++) {
         const struct zs_instance *const other = &e->scene->instance[k];
@@ -267,5 +311,14 @@ void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen)
             say_doubled(e, i, mesh);
     }
     say_turned(e, i);
-    zs_explain_mesh(e, i, mesh == i, texture == i);
+    if (mesh == i)
+        zs_explain_mesh(e, i);
+    if (x)
+        zs_explain_texture(e, i, mesh == i, texture == i);
+    if (seen && in->material->primitive)
+        say_lines(e, i);
+    if (seen && e->said == before)
+        say_colors(e, i);
+    if (seen && e->said == before)
+        zs_explain_shape(e, i);
 }

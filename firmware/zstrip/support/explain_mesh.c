@@ -1,15 +1,17 @@
-/* What is wrong with the data of an instance: its mesh and its texture.
+/* What is wrong with the data of an instance: its mesh.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
 #include "core/fx.h"
+#include "core/method.h"
 #include "support/explain.h"
 #include "zs_check.h"
 #include "zs_shader.h"
 
-#define REPEATS 1024  /* of a texture over a mesh, above which it is noise */
-#define EDGES_OF 256u /* triangles of a mesh whose edges are compared with each other */
+#define EDGES_OF 256u  /* triangles of a mesh that are compared with each other */
+#define VERTS_OF 2048u /* vertices that are looked for in the triangles at a time */
+#define HOLES_OF 8u    /* instances of a scene in which holes are looked for */
 
 /* ---- Meshes ---------------------------------------------------------------------------------- */
 
@@ -95,6 +97,32 @@ static uint32_t say_flat(struct zs_explainer *e, uint32_t i)
     return n;
 }
 
+/* Vertices that no triangle names. Other instances may have triangles, lines or points of them. */
+static void say_unnamed(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_mesh *const m = e->scene->instance[i].mesh;
+    uint32_t n = 0;
+    for (uint32_t k = 0; k < e->scene->n_instances; k++) {
+        const struct zs_instance *const in = &e->scene->instance[k];
+        if (in->mesh->pos == m->pos && (in->mesh != m || in->material->primitive))
+            return;
+    }
+    for (uint32_t v = 0; v < m->n_verts; v += VERTS_OF) {
+        const uint32_t end = zs_minu32(VERTS_OF, m->n_verts - v);
+        uint32_t named[VERTS_OF / 32u] = { 0 };
+        for (uint32_t k = 0; k < 3u * m->n_tris; k++) {
+            const uint32_t at = m->tri[k / 3u][k % 3u] - v;
+            if (at < end)
+                named[at / 32u] |= UINT32_C(1) << at % 32u;
+        }
+        for (uint32_t k = 0; k < end; k++)
+            n += ~named[k / 32u] >> k % 32u & 1u;
+    }
+    if (n > m->n_verts / 16u && m->n_tris)
+        ZS_SAY(e, "instance %: % of % vertices are in no triangle: is mesh.n_tris right? It is %.",
+               i, n, m->n_verts, m->n_tris);
+}
+
 /* Return 1 if two triangles go along an edge in the same direction. */
 static int same_edge(const uint16_t a[3], const uint16_t b[3])
 {
@@ -136,6 +164,18 @@ static void normal_of(const struct zs_mesh *m, uint32_t t, int64_t n[3])
         n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
+/* Return 1 if no other instance stands in its place: it is not the outline of one. */
+static int alone(const struct zs_explainer *e, uint32_t i)
+{
+    const int32_t *const at = e->scene->instance[i].pose.pos;
+    for (uint32_t k = 0; k < e->scene->n_instances; k++) {
+        const int32_t *const pos = e->scene->instance[k].pose.pos;
+        if (k != i && pos[0] == at[0] && pos[1] == at[1] && pos[2] == at[2])
+            return 0;
+    }
+    return 1;
+}
+
 /* A closed mesh has a volume: the sum over its triangles of p . n / 6, below 0 if it is wound
  * inwards. It is closed only if its normals, by area, add up to 0. And normals that are given
  * should point to the side from which a triangle is seen. */
@@ -147,7 +187,7 @@ static void say_winding(struct zs_explainer *e, uint32_t i)
     int64_t sum[3] = { 0, 0, 0 }, volume = 0;
     uint32_t against = 0, against_face = 0;
     struct zs_bounds b;
-    if (in->material->cull != ZS_CULL_BACK || in->material->primitive)
+    if (in->material->cull == ZS_CULL_NONE || in->material->primitive)
         return;
     for (uint32_t t = 0; t < m->n_tris; t++) {
         int64_t n[3], flux = 0, lit = 0, face = 0; /* < 3 * 2^50, < 3 * 2^52 */
@@ -168,7 +208,15 @@ static void say_winding(struct zs_explainer *e, uint32_t i)
         against_face += face < 0;
     }
     zs_explain_bounds(e, i, &b);
-    if (!(sum[0] | sum[1] | sum[2]) && volume < 0 && !zs_explain_eye_inside(&b))
+    if (sum[0] | sum[1] | sum[2] || zs_explain_eye_inside(&b))
+        volume = 0;
+    if (in->material->cull == ZS_CULL_FRONT) {
+        if (volume > 0 && alone(e, i))
+            ZS_SAY(e,
+                   "instance %: material.cull is ZS_CULL_FRONT: its far side is seen from inside; "
+                   "ZS_CULL_BACK draws its outside.",
+                   i);
+    } else if (volume < 0)
         ZS_SAY(e,
                "instance % is wound inwards: its far side is seen from inside; exchange two "
                "corners of each triangle, or set material.cull to ZS_CULL_FRONT.",
@@ -184,83 +232,84 @@ static void say_winding(struct zs_explainer *e, uint32_t i)
         say_neighbours(e, i);
 }
 
-/* ---- Textures -------------------------------------------------------------------------------- */
+/* ---- Shapes ---------------------------------------------------------------------------------- */
 
-/* Texture coordinates that span less than a texel, or far more than a texture. */
-static void say_uv(struct zs_explainer *e, uint32_t i)
+/* Return 1 if triangles of a mesh may cover each other: some vertex lies clearly before the plane
+ * of a triangle, or, if back sides are drawn, behind one. */
+static int covers_itself(const struct zs_mesh *m, int both)
 {
-    const struct zs_mesh *const m = e->scene->instance[i].mesh;
-    const struct zs_texture *const x = e->scene->instance[i].material->texture;
-    int32_t span[2] = { 0, 0 };
-    if (!m->uv || m->uv_bits > 15u || x->log2_w > ZS_TEXTURE_LOG2_MAX ||
-        x->log2_h > ZS_TEXTURE_LOG2_MAX)
-        return; /* say_texture says it */
-    for (int k = 0; k < 2; k++) {
-        int32_t least = 32767, most = -32768;
-        for (uint32_t v = 0; v < m->n_verts; v++) {
-            least = zs_min32(least, m->uv[v][k]);
-            most = zs_max32(most, m->uv[v][k]);
+    const uint32_t step = m->n_verts / EDGES_OF + 1u;
+    for (uint32_t t = 0; t < zs_minu32(m->n_tris, EDGES_OF); t++) {
+        int64_t n[3];
+        normal_of(m, t, n);
+        const int64_t most = (int64_t)(zs_size64(n[0]) + zs_size64(n[1]) + zs_size64(n[2])) *
+                             (m->radius + 1) / 32; /* < 2^37 * 2^16 / 2^5 */
+        for (uint32_t v = 0; v < m->n_verts; v += step) {
+            int64_t off = 0; /* < 2^53 */
+            for (int k = 0; k < 3; k++)
+                off += n[k] * (m->pos[v][k] - m->pos[m->tri[t][0]][k]);
+            if (off > most || (both && off < -most))
+                return 1;
         }
-        span[k] = most - least; /* < 2^16; below 0 without vertices */
     }
-    const int32_t most = zs_max32(span[0], span[1]);
-    if (all_0(m->uv, m->n_verts * sizeof m->uv[0]))
-        ZS_SAY(e, "instance %: all of mesh.uv is 0: one texel is all that is seen.", i);
-    if (most <= 0)
-        return;
-    if ((span[0] << x->log2_w) >> m->uv_bits == 0 && (span[1] << x->log2_h) >> m->uv_bits == 0)
-        ZS_SAY(e,
-               "instance %: mesh.uv spans less than a texel: % is all of the texture with "
-               "uv_bits %.",
-               i, 1 << m->uv_bits, m->uv_bits);
-    else if (most >> m->uv_bits >= REPEATS)
-        ZS_SAY(e, "instance %: mesh.uv repeats the texture % times: uv_bits is %.", i,
-               most >> m->uv_bits, m->uv_bits);
+    return 0;
 }
 
-/* A texture that the shader does not need: the library's shaders check that it is there. */
-static void say_unread(struct zs_explainer *e, uint32_t i)
+/* Count the pixels on which the scene draws something, with instance i in white. */
+static uint32_t white(struct zs_explainer *e, uint32_t i, uint8_t cull)
 {
-    const struct zs_material *const m = e->scene->instance[i].material;
-    const struct {
-        struct zs_material material;
-        uint32_t rest[16]; /* for shaders that read more of their material: it is not set */
-    } plain = { { .shader = m->shader, .cull = m->cull }, { 0 } };
-    struct zs_instance in = e->scene->instance[i];
-    in.material = &plain.material;
-    if (!m->shader->by_fragment &&
-        (!m->shader->check || m->shader->check(&in, &e->r->config) == ZS_OK))
+    const struct zs_material m = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff), .cull = cull };
+    const struct zs_scene *const scene = e->scene;
+    struct zs_scene changed = *scene;
+    struct zs_instance all[HOLES_OF];
+    struct zs_mesh mesh = *scene->instance[i].mesh;
+    struct zs_seen seen;
+    for (uint32_t k = 0; k < scene->n_instances; k++)
+        all[k] = scene->instance[k];
+    mesh.face_raw = 0;
+    all[i].mesh = &mesh;
+    all[i].material = &m;
+    changed.instance = all;
+    e->scene = &changed;
+    zs_explain_draw(e, 0, 0, &seen);
+    e->scene = scene;
+    return seen.colored;
+}
+
+void zs_explain_shape(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_instance *const in = &e->scene->instance[i];
+    const uint32_t cull = in->material->cull;
+    struct zs_seen alone;
+    struct zs_bounds b;
+    zs_explain_bounds(e, i, &b);
+    if (in->material->primitive || in->material->shader->position || in->mesh->n_tris == 0)
+        return;
+    if (!e->r->depth && e->r->config.method == &zs_method_buffer &&
+        covers_itself(in->mesh, cull == ZS_CULL_NONE))
         ZS_SAY(e,
-               "instance % has a texture, and its shader reads none: zs_shade_texture does, and "
-               "those whose names hold _texture.",
+               "instance % is not convex, and there is no depth memory: triangles cover nearer "
+               "ones that are listed before them; take ZS_RENDERER and zs_depth_float.",
                i);
-}
-
-static void say_texture(struct zs_explainer *e, uint32_t i)
-{
-    const struct zs_texture *const x = e->scene->instance[i].material->texture;
-    uint32_t at;
-    if (x->format != &zs_texel_565 && x->format != &zs_texel_pal8 && x->format != &zs_texel_pal4)
-        return; /* one with alpha (zs_filter.h) */
-    const enum zs_flaw flaw = zs_texture_check(x, &at);
-    if (flaw == ZS_FLAW_NONE)
+    if (cull != ZS_CULL_BACK || zs_explain_eye_inside(&b) || e->scene->n_instances > HOLES_OF ||
+        b.c[2] - b.r <= e->r->camera.z_near)
         return;
-    ZS_PIECE(e, "instance %: its texture has ", i);
-    ZS_PIECE(e, zs_flaw_string(flaw));
-    ZS_SAY(e, " (number %).", at);
+    zs_explain_draw(e, in, 0, &alone);
+    const uint32_t back = white(e, i, ZS_CULL_NONE) - white(e, i, ZS_CULL_BACK);
+    if (back > 8u && back > alone.colored / 16u && alone.colored)
+        ZS_SAY(e,
+               "instance %: on % pixels its back is seen, which is not drawn: it has a hole (is "
+               "mesh.n_tris right?), or is open; ZS_CULL_NONE draws both sides.",
+               i, back);
 }
 
-void zs_explain_mesh(struct zs_explainer *e, uint32_t i, int mesh, int texture)
+/* ---- All of it ------------------------------------------------------------------------------- */
+
+void zs_explain_mesh(struct zs_explainer *e, uint32_t i)
 {
-    const struct zs_texture *const x = e->scene->instance[i].material->texture;
-    if (mesh) {
-        say_flaw(e, i);
-        say_winding(e, i);
-    }
-    if (x && texture) {
-        say_texture(e, i);
-        say_unread(e, i);
-    }
-    if (x && (mesh || texture))
-        say_uv(e, i);
+    const uint32_t before = e->said;
+    say_flaw(e, i);
+    say_winding(e, i);
+    if (e->said == before)
+        say_unnamed(e, i);
 }

@@ -104,6 +104,10 @@ static void say_range(struct zs_explainer *e, const struct zs_instance *in)
                "it is too large: % steps, of $ world units each; steps of 32767 units are the "
                "most, and a radius of % units; 1 is ZS_Q16_ONE in mesh.scale and pose.scale.",
                in->mesh->radius, (int64_t)(scale >> 16), ZS_WORLD_MAX);
+    else if (e->r->camera.projection == ZS_ORTHOGRAPHIC &&
+             e->r->camera.height >> 6 < (int64_t)((in->mesh->radius + 1u) * (scale >> 16) >> 16))
+        ZS_SAY(e, "the camera's height is $, too small for it: was % * 65536 meant?",
+               e->r->camera.height, e->r->camera.height);
     else if (in->material->primitive)
         ZS_SAY(e, "the width of its lines, or the size of its points, is more than 64 px.");
     else
@@ -119,6 +123,8 @@ static void say_mesh(struct zs_explainer *e, const struct zs_instance *in, int e
         ZS_SAY(e, "mesh.n_verts is %, and 65535 is the most.", mesh->n_verts);
     } else if (in->material->cull > ZS_CULL_NONE) {
         ZS_SAY(e, "material.cull is %.", in->material->cull);
+    } else if (mesh->uv && mesh->uv_bits > 15u) {
+        ZS_SAY(e, "mesh.uv_bits is %, and 15 is the most.", mesh->uv_bits);
     } else if (in->material->texture && err == ZS_ERR_NULL && !in->material->texture->texel) {
         ZS_SAY(e, "its texture's texel is NULL.");
     } else if (in->material->texture && err == ZS_ERR_NULL && !in->material->texture->format) {
