@@ -231,7 +231,7 @@ static void say_all(struct zs_explainer *e, const struct zs_stats *last)
     if (!light)
         zs_explain_dark(e, &all);
     for (uint32_t i = 0; i < scene->n_instances; i++)
-        zs_explain_instance_data(e, i, seen);
+        zs_explain_instance_data(e, i, seen, &one);
     zs_explain_draw(e, 0, 0, &all); /* the view is that of all instances again */
     if (seen)
         zs_explain_cut(e);
@@ -239,6 +239,13 @@ static void say_all(struct zs_explainer *e, const struct zs_stats *last)
     zs_explain_depth(e);
     zs_explain_hooks(e);
     say_slow(e, &all);
+}
+
+static void say_one(struct zs_explainer *e, uint32_t i)
+{
+    struct zs_seen seen;
+    const int unseen = zs_explain_fate(e, i, &seen);
+    zs_explain_instance_data(e, i, !unseen, &seen);
 }
 
 /* number: of an instance; UINT32_MAX: all. */
@@ -258,7 +265,7 @@ static uint32_t explain(struct zs_explainer *e, uint32_t number)
     else if (number == UINT32_MAX)
         say_all(e, &kept.stats);
     else if (number < e->scene->n_instances)
-        zs_explain_fate(e, number);
+        say_one(e, number);
     else
         ZS_SAY(e, "there is no instance %: n_instances is %.", number, e->scene->n_instances);
     restore(e, &kept);

@@ -50,14 +50,15 @@ void zs_explain_refused(struct zs_explainer *e);
 /* Say why nothing is seen of instance i. Return 1 if something was said, else *seen is what is seen
  * of it. */
 int zs_explain_unseen(struct zs_explainer *e, uint32_t i, struct zs_seen *seen);
-/* Say what becomes of instance i, seen or not. */
-void zs_explain_fate(struct zs_explainer *e, uint32_t i);
-/* Say what is wrong with the numbers of instance i. seen 0: zs_explain_unseen was called for it. */
-void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen);
+/* Say what becomes of instance i. Return 1 if nothing is seen of it. *seen: as above. */
+int zs_explain_fate(struct zs_explainer *e, uint32_t i, struct zs_seen *seen);
+/* Say what is wrong with the numbers of instance i. seen 0: zs_explain_unseen was called for it.
+ * room: overwritten. */
+void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen, struct zs_seen *room);
 /* Say what is wrong with its mesh. */
 void zs_explain_mesh(struct zs_explainer *e, uint32_t i);
 /* Say what its shape spoils: a hole, parts that cover others. It is drawn, and nothing was said. */
-void zs_explain_shape(struct zs_explainer *e, uint32_t i);
+void zs_explain_shape(struct zs_explainer *e, uint32_t i, struct zs_seen *room);
 /* Say what is wrong with its texture; mesh, texture: 1 if no instance before has it. */
 void zs_explain_texture(struct zs_explainer *e, uint32_t i, int mesh, int texture);
 /* Say that the camera's angles were typed as degrees. */

@@ -72,7 +72,7 @@ void zs_explain_cut(struct zs_explainer *e)
     const struct zs_camera own = e->r->camera, *const c = &own; /* of all draws but one */
     struct zs_camera wide = own;
     struct zs_bounds b;
-    struct zs_seen cut, whole;
+    struct zs_seen seen;
     uint32_t i = e->scene->n_instances;
     for (uint32_t k = i; k-- > 0;) {
         zs_explain_bounds(e, k, &b);
@@ -91,11 +91,12 @@ void zs_explain_cut(struct zs_explainer *e)
         wide.z_far = ends + 65536;
     else
         wide.z_near = c->projection == ZS_PERSPECTIVE ? c->z_near / 8 : begins - 65536;
-    zs_explain_draw(e, &e->scene->instance[i], 0, &cut);
+    zs_explain_draw(e, &e->scene->instance[i], 0, &seen);
+    const uint32_t sum = seen.sum;
     e->camera = &wide;
-    zs_explain_draw(e, &e->scene->instance[i], 0, &whole);
+    zs_explain_draw(e, &e->scene->instance[i], 0, &seen);
     e->camera = camera;
-    if (cut.sum == whole.sum || !whole.colored)
+    if (seen.sum == sum || !seen.colored)
         return;
     ZS_PIECE(e, near ? "near = $ cuts instance %" : "far = $ cuts instance %",
              near ? c->z_near : c->z_far, i);

@@ -174,17 +174,17 @@ int zs_explain_unseen(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
     return 1;
 }
 
-void zs_explain_fate(struct zs_explainer *e, uint32_t i)
+int zs_explain_fate(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
 {
-    struct zs_seen seen;
-    const int unseen = zs_explain_unseen(e, i, &seen);
+    const int unseen = zs_explain_unseen(e, i, seen);
     if (!unseen)
         ZS_SAY(e,
                "instance % colours % pixels where nothing hides it: % of % triangles are drawn, "
                "% face away, % are beside the picture, % before near, % beyond far.",
-               i, seen.colored, seen.stats.tris_drawn, seen.stats.tris_in, seen.stats.tris_facing,
-               seen.stats.tris_offscreen, seen.stats.tris_near, seen.stats.tris_far);
-    zs_explain_instance_data(e, i, !unseen);
+               i, seen->colored, seen->stats.tris_drawn, seen->stats.tris_in,
+               seen->stats.tris_facing, seen->stats.tris_offscreen, seen->stats.tris_near,
+               seen->stats.tris_far);
+    return unseen;
 }
 
 /* ---- Numbers --------------------------------------------------------------------------------- */
@@ -250,27 +250,25 @@ static void say_doubled(struct zs_explainer *e, uint32_t i, uint32_t k)
 }
 
 /* Lines and points of vertices that are not there. */
-static void say_lines(struct zs_explainer *e, uint32_t i)
+static void say_lines(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
 {
     const struct zs_instance *const in = &e->scene->instance[i];
-    struct zs_seen seen;
-    zs_explain_draw(e, in, 0, &seen);
-    if (seen.stats.tris_index)
+    zs_explain_draw(e, in, 0, seen);
+    if (seen->stats.tris_index)
         ZS_SAY(e,
                "instance %: % of its lines or points name a vertex that is not there: n_verts "
                "is %.",
-               i, seen.stats.tris_index, in->mesh->n_verts);
+               i, seen->stats.tris_index, in->mesh->n_verts);
 }
 
 /* Colours of a mesh that its shader does not read: without them the picture is the same. */
-static void say_colors(struct zs_explainer *e, uint32_t i)
+static void say_colors(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
 {
     struct zs_instance one = e->scene->instance[i];
     const struct zs_rgb *const rgb = &one.material->rgb;
     const struct zs_rgb *const own = one.mesh->face_rgb ? one.mesh->face_rgb : one.mesh->vertex_rgb;
     const uint32_t n = one.mesh->face_rgb ? one.mesh->n_tris : one.mesh->n_verts;
     struct zs_mesh mesh = *one.mesh;
-    struct zs_seen with, without;
     uint32_t k = 0;
     while (own && k < n && own[k].r == rgb->r && own[k].g == rgb->g && own[k].b == rgb->b)
         k++;
@@ -280,12 +278,13 @@ static void say_colors(struct zs_explainer *e, uint32_t i)
     for (uint32_t j = 0; j < e->scene->n_instances; j++)
         if (j != i && e->scene->instance[j].mesh == one.mesh)
             return; /* which may read them */
-    zs_explain_draw(e, &one, 0, &with);
+    zs_explain_draw(e, &one, 0, seen);
+    const uint32_t sum = seen->sum;
     mesh.face_rgb = mesh.vertex_rgb = 0;
     mesh.face_raw = 0;
     one.mesh = &mesh;
-    zs_explain_draw(e, &one, 0, &without);
-    if (with.colored && with.sum == without.sum)
+    zs_explain_draw(e, &one, 0, seen);
+    if (seen->colored && seen->sum == sum)
         ZS_SAY(e,
                "instance %: its shader does not read the colours of its mesh: zs_shade_flat reads "
                "face_rgb, zs_shade_smooth vertex_rgb.",
@@ -294,7 +293,7 @@ static void say_colors(struct zs_explainer *e, uint32_t i)
 
 /* ---- All of it ------------------------------------------------------------------------------- */
 
-void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen)
+void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen, struct zs_seen *room)
 {
     const struct zs_instance *const in = &e->scene->instance[i];
     const struct zs_texture *const x = in->material->texture;
@@ -316,9 +315,9 @@ void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen)
     if (x)
         zs_explain_texture(e, i, mesh == i, texture == i);
     if (seen && in->material->primitive)
-        say_lines(e, i);
+        say_lines(e, i, room);
     if (seen && e->said == before)
-        say_colors(e, i);
+        say_colors(e, i, room);
     if (seen && e->said == before)
-        zs_explain_shape(e, i);
+        zs_explain_shape(e, i, room);
 }

@@ -11,7 +11,6 @@
 
 #define EDGES_OF 256u  /* triangles of a mesh that are compared with each other */
 #define VERTS_OF 2048u /* vertices that are looked for in the triangles at a time */
-#define HOLES_OF 8u    /* instances of a scene in which holes are looked for */
 
 /* ---- Meshes ---------------------------------------------------------------------------------- */
 
@@ -236,7 +235,7 @@ static void say_winding(struct zs_explainer *e, uint32_t i)
 
 /* Return 1 if triangles of a mesh may cover each other: some vertex lies clearly before the plane
  * of a triangle, or, if back sides are drawn, behind one. */
-static int covers_itself(const struct zs_mesh *m, int both)
+static ZS_NOINLINE int covers_itself(const struct zs_mesh *m, int both)
 {
     const uint32_t step = m->n_verts / EDGES_OF + 1u;
     for (uint32_t t = 0; t < zs_minu32(m->n_tris, EDGES_OF); t++) {
@@ -255,34 +254,41 @@ static int covers_itself(const struct zs_mesh *m, int both)
     return 0;
 }
 
-/* Count the pixels on which the scene draws something, with instance i in white. */
-static uint32_t white(struct zs_explainer *e, uint32_t i, uint8_t cull)
+/* A mesh through which its own back is seen. Of the only instance in view: another one may stand
+ * before the hole, or be its cover. */
+static void say_hole(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
 {
-    const struct zs_material m = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff), .cull = cull };
-    const struct zs_scene *const scene = e->scene;
-    struct zs_scene changed = *scene;
-    struct zs_instance all[HOLES_OF];
-    struct zs_mesh mesh = *scene->instance[i].mesh;
-    struct zs_seen seen;
-    for (uint32_t k = 0; k < scene->n_instances; k++)
-        all[k] = scene->instance[k];
+    struct zs_material m = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff) };
+    struct zs_instance one = e->scene->instance[i];
+    struct zs_mesh mesh = *one.mesh;
+    struct zs_bounds b;
+    for (uint32_t k = 0; k < e->scene->n_instances; k++) {
+        zs_explain_bounds(e, k, &b);
+        if (k != i && !zs_cull_sphere(&b, &e->r->camera, &e->r->view))
+            return;
+    }
+    zs_explain_bounds(e, i, &b);
+    if (zs_explain_eye_inside(&b) || b.c[2] - b.r <= e->r->camera.z_near)
+        return;
     mesh.face_raw = 0;
-    all[i].mesh = &mesh;
-    all[i].material = &m;
-    changed.instance = all;
-    e->scene = &changed;
-    zs_explain_draw(e, 0, 0, &seen);
-    e->scene = scene;
-    return seen.colored;
+    one.mesh = &mesh;
+    one.material = &m;
+    zs_explain_draw(e, &one, 0, seen);
+    const uint32_t front = seen->colored;
+    m.cull = ZS_CULL_NONE;
+    zs_explain_draw(e, &one, 0, seen);
+    const uint32_t back = seen->colored - front;
+    if (back > 8u && back > front / 16u && front)
+        ZS_SAY(e,
+               "instance %: on % pixels its back is seen, which is not drawn: it has a hole (is "
+               "mesh.n_tris right?), or is open; ZS_CULL_NONE draws both sides.",
+               i, back);
 }
 
-void zs_explain_shape(struct zs_explainer *e, uint32_t i)
+void zs_explain_shape(struct zs_explainer *e, uint32_t i, struct zs_seen *room)
 {
     const struct zs_instance *const in = &e->scene->instance[i];
     const uint32_t cull = in->material->cull;
-    struct zs_seen alone;
-    struct zs_bounds b;
-    zs_explain_bounds(e, i, &b);
     if (in->material->primitive || in->material->shader->position || in->mesh->n_tris == 0)
         return;
     if (!e->r->depth && e->r->config.method == &zs_method_buffer &&
@@ -291,16 +297,8 @@ void zs_explain_shape(struct zs_explainer *e, uint32_t i)
                "instance % is not convex, and there is no depth memory: triangles cover nearer "
                "ones that are listed before them; take ZS_RENDERER and zs_depth_float.",
                i);
-    if (cull != ZS_CULL_BACK || zs_explain_eye_inside(&b) || e->scene->n_instances > HOLES_OF ||
-        b.c[2] - b.r <= e->r->camera.z_near)
-        return;
-    zs_explain_draw(e, in, 0, &alone);
-    const uint32_t back = white(e, i, ZS_CULL_NONE) - white(e, i, ZS_CULL_BACK);
-    if (back > 8u && back > alone.colored / 16u && alone.colored)
-        ZS_SAY(e,
-               "instance %: on % pixels its back is seen, which is not drawn: it has a hole (is "
-               "mesh.n_tris right?), or is open; ZS_CULL_NONE draws both sides.",
-               i, back);
+    if (cull == ZS_CULL_BACK)
+        say_hole(e, i, room);
 }
 
 /* ---- All of it ------------------------------------------------------------------------------- */
