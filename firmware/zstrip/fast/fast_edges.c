@@ -8,12 +8,11 @@
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/job.h"
-#include "fast/set_up.h"
+#include "fast/set_up_parts.h"
 #include "zs_fast.h"
 
 #if ZS_RP2040
 
-#define AT(field) offsetof(struct zs_job, field)
 _Static_assert(AT(geom.dx2) == AT(geom) + 4 && AT(geom.dy1) == AT(geom) + 8 &&
                    AT(geom.dy2) == AT(geom) + 12 && AT(geom) >= 100 && AT(geom.tiny) < 356 &&
                    AT(cut_end) < 128 && AT(v) < 128,
@@ -27,7 +26,7 @@ _Static_assert(ZS_TINY_SIDE == 65 && offsetof(struct zs_vertex, y) == 4, "as bel
 /* One of the sides below the middle vertex, along an edge from a to b. r4: geom, r1: x, r5: down.
  * Uses both. */
 #define SIDE(a_dx, a_dy, b_dx, b_dy, sum, span, step)                                              \
-    "adds r4, %[geom]\n\tadds r4, #100\n\tldr " #sum ", [r4, #" #a_dy "]\n\t"                     \
+    "adds r4, %[geom]\n\tadds r4, #100\n\tldr " #sum ", [r4, #" #a_dy "]\n\t"                      \
     "subs r5, " #sum "\n\t"                                                                        \
     "ldr " #span ", [r4, #" #b_dy "]\n\tsubs " #span ", " #sum "\n\t"                              \
     "ldr " #sum ", [r4, #" #a_dx "]\n\tadds r1, " #sum "\n\t"                                      \
@@ -35,17 +34,13 @@ _Static_assert(ZS_TINY_SIDE == 65 && offsetof(struct zs_vertex, y) == 4, "as bel
     "muls r1, " #span "\n\tmuls r5, r4\n\tadds r1, r5\n\tlsls " #span ", #8\n\t"                   \
     "adds " #sum ", r1, " #span "\n\tsubs " #sum ", #1\n\tlsls r4, #8\n\tmov " #step ", r4\n\t"
 
-/* zs_fast.edges, as below. Sum, span and step of the left side: r3, r7, r9; of the right one: r0,
- * r6, r8; r2: the row's cut, lr: the last one's end; r12: what columns count from. [sp]: job, row,
- * off, x. While a division runs, the column before it is stored. */
-static ZS_NAKED int tiny_cuts(struct zs_job *job __attribute__((unused)),
-                                                      int32_t row __attribute__((unused)))
+/* zs_fast.edges of tiny triangles, as below. Sum, span, step of the left side: r3, r7, r9; of the
+ * right one: r0, r6, r8; r2: the row's cut, lr: the last one's end; r12: what columns count from.
+ * [sp]: job, row, off, x. While a division runs, the column before it is stored. */
+ZS_NAKED void zs_set_up_cuts_part(void)
 {
     __asm__ volatile(
-        ".syntax unified\n\t"
-        "movs r2, %[tiny]\n\tadds r2, #100\n\tldr r2, [r0, r2]\n\t"
-        "cmp r2, #0\n\tbne 1f\n\tmovs r0, r2\n\tbx lr\n"
-        "1:\n\tpush {r4, r5, r6, r7, lr}\n\tmov r4, r8\n\tmov r5, r9\n\tpush {r4, r5}\n\t"
+        ".syntax unified\n\tpush {lr}\n\t"
         "ldr r2, [r0, %[v]]\n\tldr r3, [r2]\n\tldr r4, [r2, #4]\n\t"
         "asrs r2, r3, #8\n\tsubs r2, #65\n\tmov r12, r2\n\t"
         "uxtb r3, r3\n\tmovs r2, #129\n\tlsls r2, #7\n\tadds r3, r2\n\t" /* x */
@@ -78,13 +73,25 @@ static ZS_NAKED int tiny_cuts(struct zs_job *job __attribute__((unused)),
         "ldr r4, [sp]\n\tldrb r4, [r4, %[right]]\n\tcmp r4, #0\n\tldr r4, [sp]\n\tbne 6f\n\t"
         SIDE(4, 12, 0, 8, r3, r7, r9) "b 2b\n"
         "6:\n\t" SIDE(0, 8, 4, 12, r0, r6, r8) "b 2b\n"
-        "7:\n\tadd sp, #16\n\tpop {r4, r5}\n\tmov r8, r4\n\tmov r9, r5\n\tmovs r0, #1\n\t"
-        "pop {r4, r5, r6, r7, pc}\n\t"
+        "7:\n\tadd sp, #16\n\tpop {pc}\n\t"
         ".align 2\n9:\n\t.word %c[cut]\n"
         :
-        : [tiny] "i"(AT(geom.tiny) - 100u), [v] "i"(AT(v)), [geom] "i"(AT(geom) - 100u),
+        : [v] "i"(AT(v)), [geom] "i"(AT(geom) - 100u),
           [mid] "i"(AT(row_mid)), [end] "i"(AT(cut_end)), [right] "i"(AT(mid_right)),
           [cut] "i"(AT(cut)));
+}
+
+static ZS_NAKED int tiny_cuts(struct zs_job *job __attribute__((unused)),
+                              int32_t row __attribute__((unused)))
+{
+    __asm__ volatile(
+        ".syntax unified\n\tmovs r2, %[tiny]\n\tadds r2, #100\n\tldr r2, [r0, r2]\n\t"
+        "cmp r2, #0\n\tbne 1f\n\tmovs r0, r2\n\tbx lr\n"
+        "1:\n\tpush {r4, r5, r6, r7, lr}\n\tmov r4, r8\n\tmov r5, r9\n\tpush {r4, r5}\n\t"
+        "bl zs_set_up_cuts_part\n\tpop {r4, r5}\n\tmov r8, r4\n\tmov r9, r5\n\tmovs r0, #1\n\t"
+        "pop {r4, r5, r6, r7, pc}\n\t"
+        :
+        : [tiny] "i"(AT(geom.tiny) - 100u));
 }
 
 #else

@@ -70,6 +70,7 @@ static int smooth_rows(struct zs_job *job)
 }
 
 const struct zs_fast zs_fast_smooth = {
-    ZS_SET_UP_SMOOTH .shader = &zs_shade_smooth, .rows = smooth_rows,
+    ZS_SET_UP_SMOOTH .shader = &zs_shade_smooth,
+    .draw = ZS_LANES_USED && ZS_SET_UP ? zs_lanes_smooth_draw : 0, .rows = smooth_rows,
     .span = ZS_LANES_USED ? zs_lanes_smooth_span : zs_fast_less
 };

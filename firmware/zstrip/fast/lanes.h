@@ -36,28 +36,36 @@ struct zs_lanes_set {
     "ldr r2, [r0, #" #base "]\n\tmuls r2, r1\n\tldr r3, [r0, #" #accum "]\n\tadds r2, r3\n\t"      \
     "ldr r3, [sp, #" #down "]\n\tadds r2, r3\n\tstr r2, [r0, #" #accum "]\n\t"
 
+/* A row without a pixel: the lanes go down. */
+#define ZS_LANES_DOWN(accum, down)                                                                 \
+    "ldr r2, [r0, #" #accum "]\n\tldr r3, [sp, #" #down "]\n\tadds r2, r3\n\t"                     \
+    "str r2, [r0, #" #accum "]\n\t"
+
 /* The rows of a triangle. pixel: what is done for a pixel, in assembler. r0: lanes, which stand at
  * column r1 of the row above the first; r8: keys of the row; r9: bytes from a key to its colour;
  * r10: bytes from row to row; r11: width; r12: cuts; lr: pixels tested, negative; [sp]: what is
  * added to the four lanes a row, the end of the cuts, the palette. For a pixel, r4, r6: ends of the
  * row's keys and colours; r5: the pixel from there, bytes, negative; r2, r3, r7: free. 4f leads to
- * the next pixel. */
+ * the next pixel. 1: a row that is beside the frame, or has no pixel. */
 #define ZS_LANES_LOOP(pixel)                                                                       \
-    "1:\n\t"                                                                                       \
-    "mov r7, r12\n\t"                                                                              \
-    "movs r2, #0\n\tldrsh r5, [r7, r2]\n\tmovs r2, #2\n\tldrsh r4, [r7, r2]\n\t"                   \
-    "adds r7, #4\n\tmov r12, r7\n\t"                                                               \
+    "b 2f\n"                                                                                       \
+    "1:\n\tsubs r7, #4\n\tmovs r2, #0\n\tldrsh r5, [r7, r2]\n\tmovs r2, #2\n\t"                    \
+    "ldrsh r4, [r7, r2]\n\t"                                                                       \
     "asrs r2, r5, #31\n\tbics r5, r2\n\t" /* at least 0 */                                         \
-    "cmp r4, r11\n\tble 2f\n\tmov r4, r11\n"                                                       \
+    "cmp r4, r11\n\tble 3f\n\tmov r4, r11\n"                                                       \
+    "3:\n\tcmp r5, r4\n\tblt 3f\n\t" ZS_LANES_DOWN(0, 0) ZS_LANES_DOWN(4, 4)                       \
+        ZS_LANES_DOWN(0x40, 8) ZS_LANES_DOWN(0x44, 12) "b 5f\n"                                    \
     "2:\n\t"                                                                                       \
+    "mov r7, r12\n\tldmia r7!, {r4}\n\tmov r12, r7\n\tuxth r5, r4\n\tlsrs r4, #16\n\t"             \
+    "cmp r4, r11\n\tbhi 1b\n\tcmp r5, r4\n\tbcs 1b\n"                                              \
+    "3:\n\t"                                                                                       \
     "subs r1, r5, r1\n\t" ZS_LANES_MOVE(0, 8, 0) ZS_LANES_MOVE(4, 12, 4)                           \
         ZS_LANES_MOVE(0x40, 0x48, 8) ZS_LANES_MOVE(0x44, 0x4c, 12)                                 \
-    "movs r1, r5\n\tsubs r5, r4\n\tbge 5f\n\t"                                                     \
-    "movs r1, r4\n\tadd lr, r5\n\tlsls r5, #1\n\tlsls r4, #1\n\tadd r4, r8\n\t"                    \
+    "movs r1, r4\n\tsubs r5, r4\n\tadd lr, r5\n\tlsls r5, #1\n\tlsls r4, #1\n\tadd r4, r8\n\t"     \
     "mov r6, r9\n\tadds r6, r4\n"                                                                  \
     "3:\n\t" pixel                                                                                 \
     "4:\n\tadds r5, #2\n\tbmi 3b\n"                                                                \
-    "5:\n\tadd r8, r10\n\tldr r2, [sp, #16]\n\tcmp r2, r12\n\tbne 1b\n\t"
+    "5:\n\tadd r8, r10\n\tldr r2, [sp, #16]\n\tcmp r2, r12\n\tbne 2b\n\t"
 
 /* A plane from r7: lane to row r6 of column 0. r1: lanes. */
 #define ZS_LANES_STAND(accum, base, down)                                                          \
@@ -66,9 +74,10 @@ struct zs_lanes_set {
 
 #define ZS_LANES_AT(name, field) [name] "i"(offsetof(struct zs_job, field))
 
-/* Define a function (job, set, third): draw the rows of job->cut, and return how many pixels are
- * tested. third: the third lane's plane, at column 0 of row 0, as job->c[0] and c[1] of the first
- * two. rest: more of `pixel`, behind the loop. */
+/* Define a function (job, set, third): draw the rows of job->cut from r3 to r4, and return how many
+ * pixels are tested. third: the third lane's plane, at column 0 of row 0, as job->c[0] and c[1] of
+ * the first two. rest: more of `pixel`, behind the loop. zs_lanes_call calls it: all registers
+ * change. */
 #define ZS_LANES_ROWS(name, pixel, rest)                                                           \
     static ZS_NAKED uint32_t name(struct zs_job *job __attribute__((unused)),                      \
                                   const struct zs_lanes_set *set __attribute__((unused)),          \
@@ -76,36 +85,35 @@ struct zs_lanes_set {
     {                                                                                              \
         __asm__ volatile(                                                                          \
             ".syntax unified\n\t"                                                                  \
-            "push {r4, r5, r6, r7, lr}\n\t"                                                        \
-            "mov r4, r8\n\tmov r5, r9\n\tmov r6, r10\n\tmov r7, r11\n\tpush {r4, r5, r6, r7}\n\t"  \
-            "mov r8, r2\n\tldmia r1!, {r2, r3, r4, r5, r6, r7}\n\tpush {r7}\n\tsub sp, #20\n\t"    \
+            "push {lr}\n\tmov r8, r2\n\tmov r12, r3\n\tmov r9, r4\n\t"                             \
+            "ldmia r1!, {r2, r3, r4, r5, r6, r7}\n\tpush {r7}\n\tsub sp, #20\n\t"                  \
             "movs r1, #0xd0\n\tlsls r1, #24\n\tadds r1, #0x80\n\t"                                 \
             "str r2, [r1, #0x2c]\n\tstr r3, [r1, #0x30]\n\tstr r4, [r1, #0x6c]\n\t"                \
             "str r5, [r1, #0x70]\n\tstr r6, [r1, #0x10]\n\tmovs r2, #0\n\tstr r2, [r1, #0x50]\n\t" \
-            "ldr r6, [r0, %[row]]\n\tsubs r6, #1\n\tmovs r7, r0\n\tadds r7, %[c]\n\t"              \
+            /* the row above the first: r6 */                                                      \
+            "mov r2, r9\n\tstr r2, [sp, #16]\n\tmovs r5, %[cut]\n\tadds r5, #200\n\t"              \
+            "adds r5, r0\n\t"                                                                      \
+            "mov r6, r12\n\tsubs r6, r5\n\tasrs r6, #2\n\tldr r5, [r0, %[row]]\n\tadds r6, r5\n\t" \
+            "mov r9, r6\n\tsubs r6, #1\n\tmovs r7, r0\n\tadds r7, %[c]\n\t"                        \
             ZS_LANES_STAND(0, 8, 0) ZS_LANES_STAND(4, 12, 4)                                       \
             "mov r7, r8\n\t" ZS_LANES_STAND(0x40, 0x48, 8)                                         \
             /* the key, whose plane is at its anchor */                                            \
             "movs r7, %[ia]\n\tadds r7, #100\n\tadds r7, r0\n\tldr r5, [r7]\n\t"                   \
-            "ldr r7, [r7, #4]\n\tsubs r6, r7\n\t"                                                 \
+            "ldr r7, [r7, #4]\n\tsubs r6, r7\n\t"                                                  \
             "movs r7, r0\n\tadds r7, %[key]\n\t" ZS_LANES_STAND(0x44, 0x4c, 12)                    \
             "muls r5, r3\n\tsubs r2, r5\n\tstr r2, [r1, #0x44]\n\t"                                \
             /* where rows are */                                                                   \
-            "ldr r2, [r0, %[row]]\n\tldr r3, [r0, %[y0]]\n\tldr r4, [r0, %[end]]\n\t"              \
-            "subs r4, r2\n\tsubs r2, r3\n\tldr r3, [r0, %[pitch]]\n\tlsls r3, #1\n\t"              \
-            "muls r2, r3\n\t"                                                                    \
+            "mov r2, r9\n\tldr r3, [r0, %[y0]]\n\tsubs r2, r3\n\tldr r3, [r0, %[pitch]]\n\t"       \
+            "lsls r3, #1\n\tmuls r2, r3\n\t"                                                       \
             "ldr r5, [r0, %[depth]]\n\tadds r2, r5\n\tldr r6, [r0, %[color]]\n\tsubs r6, r5\n\t"   \
-            "ldr r7, [r0, %[width]]\n\tmovs r5, %[cut]\n\tadds r5, #200\n\tadds r0, r5\n\t"        \
-            "lsls r4, #2\n\tadds r4, r0\n\tstr r4, [sp, #16]\n\t"                                  \
-            "mov r8, r2\n\tmov r9, r6\n\tmov r10, r3\n\tmov r11, r7\n\tmov r12, r0\n\t"            \
-            "movs r0, r1\n\tmovs r1, #0\n\tmov lr, r1\n" ZS_LANES_LOOP(pixel)                      \
-            "mov r0, lr\n\trsbs r0, r0, #0\n\tadd sp, #24\n\tpop {r4, r5, r6, r7}\n\t"             \
-            "mov r8, r4\n\tmov r9, r5\n\tmov r10, r6\n\tmov r11, r7\n\t"                           \
-            "pop {r4, r5, r6, r7, pc}\n" rest                                                      \
+            "ldr r7, [r0, %[width]]\n\t"                                                           \
+            "mov r8, r2\n\tmov r9, r6\n\tmov r10, r3\n\tmov r11, r7\n\t"                           \
+            "movs r0, r1\n\tmovs r1, #0\n\tmov lr, r1\n\t" ZS_LANES_LOOP(pixel)                    \
+            "mov r0, lr\n\trsbs r0, r0, #0\n\tadd sp, #24\n\tpop {pc}\n" rest                      \
             :                                                                                      \
             : ZS_LANES_AT(row, row), ZS_LANES_AT(c, c),                                            \
-              [ia] "i"(offsetof(struct zs_job, geom.ia) - 100u),                                  \
-              ZS_LANES_AT(key, key), ZS_LANES_AT(y0, y0), ZS_LANES_AT(end, cut_end),               \
+              [ia] "i"(offsetof(struct zs_job, geom.ia) - 100u),                                   \
+              ZS_LANES_AT(key, key), ZS_LANES_AT(y0, y0),                                          \
               ZS_LANES_AT(pitch, pitch), ZS_LANES_AT(depth, depth), ZS_LANES_AT(color, color),     \
               ZS_LANES_AT(width, width), [cut] "i"(offsetof(struct zs_job, cut) - 200u));          \
     }
@@ -166,13 +174,25 @@ static inline void zs_lanes_stand(struct zs_lanes lanes[2], const struct zs_lane
 typedef uint32_t zs_lanes_fn(struct zs_job *job, const struct zs_lanes_set *set,
                              const struct zs_plane *third);
 
+/* rows(job, set, third), whose registers are saved on an RP2040. */
+#if ZS_RP2040
+uint32_t zs_lanes_call(struct zs_job *job, const struct zs_lanes_set *set,
+                       const struct zs_plane *third, zs_lanes_fn *rows);
+#else
+static inline uint32_t zs_lanes_call(struct zs_job *job, const struct zs_lanes_set *set,
+                                     const struct zs_plane *third, zs_lanes_fn *rows)
+{
+    return rows(job, set, third);
+}
+#endif
+
 /* Draw the rows of a job that job->cut does not hold. */
 static ZS_NOINLINE void zs_lanes_go_on(struct zs_job *job, const struct zs_lanes_set *set,
                                        const struct zs_plane *third, zs_lanes_fn *rows)
 {
     do {
         zs_edges_cut(job, job->cut_end);
-        job->r->stats.pixels_tested += rows(job, set, third);
+        job->r->stats.pixels_tested += zs_lanes_call(job, set, third, rows);
     } while (job->cut_end < job->row_end);
 }
 
@@ -180,7 +200,7 @@ static ZS_NOINLINE void zs_lanes_go_on(struct zs_job *job, const struct zs_lanes
 ZS_ALWAYS_INLINE void zs_lanes_draw(struct zs_job *job, const struct zs_lanes_set *set,
                                     const struct zs_plane *third, zs_lanes_fn *rows)
 {
-    job->r->stats.pixels_tested += rows(job, set, third);
+    job->r->stats.pixels_tested += zs_lanes_call(job, set, third, rows);
     if (ZS_SELDOM(job->cut_end < job->row_end))
         zs_lanes_go_on(job, set, third, rows);
 }
@@ -188,6 +208,8 @@ ZS_ALWAYS_INLINE void zs_lanes_draw(struct zs_job *job, const struct zs_lanes_se
 /* zs_fast.rows of an affine triangle whose keys do not saturate. Textures repeat; 0: declined. */
 void zs_lanes_smooth_rows(struct zs_job *job);
 int zs_lanes_texture_rows(struct zs_job *job);
+/* zs_fast.draw of small triangles with smooth colours, on an RP2040. */
+int zs_lanes_smooth_draw(struct zs_job *job);
 /* zs_fast.span of smooth colours, on an RP2040. */
 void zs_lanes_smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                           uint32_t sum, uint32_t step);

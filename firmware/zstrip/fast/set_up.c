@@ -90,8 +90,8 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
     "subs r2, #24\n\tldr r3, [r2]\n\tldr r6, 8f\n\t"                                               \
     "movs r7, #8\n\tlsrs r4, r3, #16\n\tbeq 1f\n\tlsrs r5, r4, #8\n\tbeq 2f\n\t"                   \
     "movs r7, #0\n\tmovs r4, r5\n\tb 2f\n"                                                         \
-    "6:\n\tstr r7, [r0, %[last]]\n\tmovs r0, %[none]\n\tpop {r3, r4, r5, r6, r7, pc}\n"            \
-    "7:\n\tmovs r0, #0\n\tpop {r3, r4, r5, r6, r7, pc}\n"                                          \
+    "6:\n\tstr r7, [r0, %[last]]\n\tmovs r0, %[none]\n\tpop {r3, pc}\n"                            \
+    "7:\n\tmovs r0, #0\n\tpop {r3, pc}\n"                                                          \
     "1:\n\tmovs r7, #16\n\tlsrs r4, r3, #8\n"                                                      \
     "2:\n\tldrb r4, [r6, r4]\n\tadds r7, r4\n\t"                                                   \
     /* zs_recip: r3, from area 2^r7 in r3 */                                                       \
@@ -111,11 +111,11 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
 /* Differences of keys. */
 #define KEYS "ldr r3, [r0, %[gx]]\n\tldr r4, [r0, %[gy]]\n\t"
 
-ZS_NAKED enum zs_set_up zs_set_up(struct zs_job *job __attribute__((unused)))
+ZS_NAKED void zs_set_up_part(void)
 {
     __asm__ volatile(
         ".syntax unified\n\t"
-        "push {r3, r4, r5, r6, r7, lr}\n\t" /* [sp]: gx */
+        "push {r3, lr}\n\t" /* [sp]: gx */
         CORNERS SIZES ROWS ANCHOR RECIPROCAL
         /* gradients */
         "subs r3, #44\n\tldmia r3!, {r1, r2}\n\t" GRADIENT("0", KEYS, "8f", "5", "7b")
@@ -131,8 +131,8 @@ ZS_NAKED enum zs_set_up zs_set_up(struct zs_job *job __attribute__((unused)))
         "adds r1, #128\n\tasrs r1, #8\n\tadds r3, r1\n\t"
         "movs r1, #128\n\tlsls r1, #8\n\tadds r3, r1\n\t" /* half a bucket */
         "movs r1, r0\n\tadds r1, %[key]\n\tstmia r1!, {r3, r4, r5}\n\t"
-        "movs r0, %[rows]\n\tpop {r3, r4, r5, r6, r7, pc}\n"
-        "9:\n\tmovs r0, #0\n\tpop {r3, r4, r5, r6, r7, pc}\n\t"
+        "movs r0, %[rows]\n\tpop {r3, pc}\n"
+        "9:\n\tmovs r0, #0\n\tpop {r3, pc}\n\t"
         ".align 2\n"
         "8:\n\t.word zs_clz8, zs_recip_table\n"
         :
@@ -142,6 +142,12 @@ ZS_NAKED enum zs_set_up zs_set_up(struct zs_job *job __attribute__((unused)))
           [right] "i"(AT(mid_right)), [saturates] "i"(AT(saturates)), [y0] "i"(AT(y0)),
           [y1] "i"(AT(y1)), [row] "i"(AT(row)), [last] "i"(AT(row_last)), [rcp] "i"(AT(geom.rcp)),
           [ax] "i"(AT(geom.ax)), [rows] "i"(ZS_SET_UP_ROWS), [none] "i"(ZS_SET_UP_NONE));
+}
+
+ZS_NAKED enum zs_set_up zs_set_up(struct zs_job *job __attribute__((unused)))
+{
+    __asm__ volatile(".syntax unified\n\tpush {r4, r5, r6, r7, lr}\n\tbl zs_set_up_part\n\t"
+    "pop {r4, r5, r6, r7, pc}");
 }
 
 #endif

@@ -7,6 +7,20 @@
 
 #include "fast/set_up.h"
 
+/* Parts of set-up, for code in assembler: r0 a job, r0 the result as of the function without _part.
+ * All other registers change. */
+void zs_set_up_part(void);
+void zs_set_up_smooth_part(void);
+void zs_set_up_cuts_part(void); /* of zs_fast_edges, on an RP2040: the rows from r1 on */
+
+/* What such code saves and restores. */
+#define ZS_SAVED                                                                                   \
+    ".syntax unified\n\tpush {r4, r5, r6, r7, lr}\n\t"                                             \
+    "mov r4, r8\n\tmov r5, r9\n\tmov r6, r10\n\tmov r7, r11\n\tpush {r4, r5, r6, r7}\n\t"
+#define ZS_RESTORED                                                                                \
+    "pop {r4, r5, r6, r7}\n\t"                                                                     \
+    "mov r8, r4\n\tmov r9, r5\n\tmov r10, r6\n\tmov r11, r7\n\tpop {r4, r5, r6, r7, pc}\n\t"
+
 #define AT(field) offsetof(struct zs_job, field)
 
 /* r3 = the high word of its product with a factor whose halves are in r12 (low) and lr (high).
@@ -66,5 +80,65 @@
     "movs r5, r3\n\teors r5, r4\n\tcmp r5, r6\n\tbhi 1f\n\t"                                       \
     "movs r5, r6\n\tbics r5, r4\n\tadds r6, r5\n\tadds r6, #2\n"                                   \
     "1:\n\tsubs r4, r3\n\tcmp r4, r6\n\tbhi " never "\n\t"
+
+/* r1 becomes r7, if that is more. */
+#define MOST "cmp r7, r1\n\tbls 1f\n\tmovs r1, r7\n1:\n\t"
+
+/* The weights' product for one difference: r0: up, r6: rcp, r7: half, r1: n. */
+#define WEIGHT(d) "lsls " #d ", r0\n\tmuls " #d ", r6\n\tadds " #d ", r7\n\tasrs " #d ", r1\n\t"
+
+/* Colours of the job r0: differences to the stack at at0, at1, at2, and four weights to r2 .. r5
+ * (y2, y1, x2, x1); r9: down, r11: the job, r12: the first vertex's colours. Leads to 7f, with 0 in
+ * r0, where they are not affine by the sufficient test, or weights are too coarse. */
+#define ZS_WEIGHTS(at0, at1, at2)                                                                  \
+    VALUES "mov r12, r2\n\tmovs r1, #0\n\t"                                                        \
+    RANGE(0, at0) MOST RANGE(1, at1) MOST RANGE(2, at2) MOST                                       \
+    "mov r11, r0\n\tmov lr, r1\n\tmovs r1, r0\n\t" SLOW("9f") "mov r1, lr\n\t"                     \
+    /* affine_enough, the sufficient test */                                                       \
+    "lsrs r4, #16\n\tadds r4, #1\n\tmuls r4, r1\n\tlsrs r6, %[bound]\n\tcmp r4, r6\n\t"            \
+    "bhi 9f\n\t"                                                                                   \
+    /* n: r1 */                                                                                    \
+    "ldr r7, 8f\n\tmovs r2, #1\n\torrs r1, r2\n\tlsrs r2, r1, #8\n\tbne 1f\n\t"                    \
+    "ldrb r2, [r7, r1]\n\tmovs r3, #8\n\tb 2f\n"                                                   \
+    "1:\n\tldrb r2, [r7, r2]\n\tmovs r3, #16\n"                                                    \
+    "2:\n\tsubs r1, r3, r2\n\t"                                                                    \
+    /* dx, dy: r2 to r5; up: r0 */                                                                 \
+    "mov r0, r11\n\tadds r0, %[geom]\n\tldr r2, [r0, #48]\n\tcmp r2, #0\n\tbeq 9f\n\t"             \
+    "ldmia r0!, {r2, r3, r4, r5}\n\t"                                                              \
+    "asrs r6, r2, #31\n\teors r6, r2\n\tasrs r0, r3, #31\n\teors r0, r3\n\t"                       \
+    "orrs r6, r0\n\torrs r6, r4\n\torrs r6, r5\n\tlsrs r0, r6, #8\n\tbne 1f\n\t"                   \
+    "ldrb r0, [r7, r6]\n\tadds r0, #7\n\tb 2f\n"                                                   \
+    "9:\n\tmovs r0, #0\n\tb 7f\n\t"                                                                \
+    ".align 2\n"                                                                                   \
+    "8:\n\t.word zs_clz8\n"                                                                        \
+    "1:\n\tldrb r0, [r7, r0]\n\tsubs r0, #1\n"                                                     \
+    /* rcp: r6, down: r7 */                                                                        \
+    "2:\n\tmov r7, r11\n\tadds r7, %[rcp]\n\tldr r6, [r7]\n\tldr r7, [r7, #4]\n\t"                 \
+    "adds r7, r0\n\tadds r7, #31\n\tsubs r7, r1\n\tcmp r7, #5\n\tblt 9b\n\tmov r9, r7\n\t"         \
+    "adds r7, r0\n\tadds r7, #3\n\tcmp r1, r7\n\tbgt 9b\n\t"                                       \
+    "lsrs r6, #16\n\tmovs r7, #1\n\tlsls r7, r1\n\tlsrs r7, #1\n\t"                                \
+    WEIGHT(r2) WEIGHT(r3) WEIGHT(r4) WEIGHT(r5)
+/* Of colour c, whose differences are on the stack at `at`, by weights on the stack from `w` on: gx
+ * to r2, gy to r3, 32 times the way to the anchor to r1. r8: half, r9: down, r10: ax, r11: ay. Uses
+ * r4 to r6; r7: most. */
+#define ZS_COLOR(c, at, most, w)                                                                   \
+    "ldr r5, [sp, #" #at "]\n\tldr r6, [sp, #4 + " #at "]\n\tmovs r7, #" #most "\n\t"              \
+    "muls r5, r7\n\tmuls r6, r7\n\tadds r5, #128\n\tasrs r5, #8\n\t"                               \
+    "adds r6, #128\n\tasrs r6, #8\n\t"                                                             \
+    "ldr r2, [sp, #12 + " #w "]\n\tmuls r2, r5\n\tldr r4, [sp, #8 + " #w "]\n\tmuls r4, r6\n\t"    \
+    "subs r2, r4\n\tldr r3, [sp, #" #w "]\n\tmuls r3, r6\n\tldr r4, [sp, #4 + " #w "]\n\t"         \
+    "muls r4, r5\n\tsubs r3, r4\n\t"                                                               \
+    "add r2, r8\n\tadd r3, r8\n\tmov r4, r9\n\tasrs r2, r4\n\tasrs r3, r4\n\t"                     \
+    "asrs r1, r2, #3\n\tmov r4, r10\n\tmuls r1, r4\n\tasrs r4, r3, #3\n\tmov r5, r11\n\t"          \
+    "muls r4, r5\n\tadds r1, r4\n\t"
+/* r1 += the colour's code at the first vertex; r12: its colours, r7: most. */
+#define ZS_CODE(c)                                                                                 \
+    "mov r5, r12\n\tldrh r4, [r5, #2 * " #c "]\n\tmuls r4, r7\n\tlsrs r5, r4, #16\n\t"             \
+    "adds r4, r5\n\tadds r1, r4\n\t"
+#define ZS_WEIGHTS_OF                                                                              \
+    [r] "i"(AT(r)), [tri] "i"(AT(tri)), [attr] "i"(offsetof(struct zs_renderer, attr)),            \
+        [n] "i"(offsetof(struct zs_renderer, config.varyings)), [v] "i"(AT(v)),                    \
+        [slow] "i"(AT(key_slow) - AT(v) - 12), [bound] "i"(ZS_SPAN_BOUND_LOG2 + 4),                \
+        [geom] "i"(AT(geom)), [rcp] "i"(AT(geom.rcp))
 
 #endif
