@@ -292,6 +292,43 @@ static void panes_of_glass(void **state)
     assert_rows(&p, 21, 7, below, pane_of);
 }
 
+/* The mean of red and green: white is v, red f, and half of the ball's colour with each between. */
+static char mean_of(uint32_t c)
+{
+    return "0123456789abcdefghijklmnopqrstuv"[((c >> 11) + (c >> 6 & 31u)) / 2u];
+}
+
+static void a_ball_of_glass_shines(void **state)
+{
+    static const char *const rows[] = {
+        "vvvvvvvvvvvvvvlmnnopqrtumlkjhgffedffffffffffffff", "vvvvvvvvvvvvvvlmnnoqrtuvnnlkihffedffffffffffffff",
+        "vvvvvvvvvvvvvvmmnnprsuvvnnnljigffeffffffffffffff", "vvvvvvvvvvvvvlmnnoqrtuvvnnnlkigffedfffffffffffff",
+    };
+    const struct panel p = drawn_by(example_layered);
+    assert_rows(&p, 9, 4, rows, mean_of);
+}
+
+static char red_of(uint32_t c)
+{
+    return "0123456789abcdefghijklmnopqrstuv"[c >> 11];
+}
+
+static void two_cores_draw_one_picture(void **state)
+{
+    static const char *const rows[] = {
+        "00000000000000uuuuuuuuuullllllllll00000000000000", "00000000000000uuuuuuuullffllllllll00000000000000",
+        "0000000000000uuuuuuullllfffflllllll0000000000000", "0000000000000uuuuuulllllfffffllllll0000000000000",
+    };
+    static const char *const each[] = {
+        "0000000000000000uuuttttttttttlll0000000000000000", "0000000000000uuuuuulllllfffffllllll0000000000000",
+        "0000000000000008llllllllffffffff8000000000000000", "000000000000000000008lllfff800000000000000000000",
+    };
+    const struct panel p = drawn_by(example_two_cores);
+    assert_rows(&p, 10, 4, rows, red_of);
+    for (int strip = 0; strip < 4; strip++) /* a row of each */
+        assert_rows(&p, (int[]){ 6, 13, 22, 26 }[strip], 1, &each[strip], red_of);
+}
+
 static void a_flat_shadow_and_a_disc(void **state)
 {
     static const char *const rows[] = {
@@ -531,6 +568,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(one_triangle),
     cmocka_unit_test(what_is_wrong_is_said),
     cmocka_unit_test(panes_of_glass),
+    cmocka_unit_test(a_ball_of_glass_shines),
+    cmocka_unit_test(two_cores_draw_one_picture),
     cmocka_unit_test(gauges_over_a_picture),
     cmocka_unit_test(posts_in_fog),
     cmocka_unit_test(dithered_light),
