@@ -360,7 +360,7 @@ static int corners_left(const int16_t away[3][3], const struct zs_camera *camera
     lone_set(&l, away, 3, ZS_Q16_ONE);
     const struct zs_config config = lone_config(CLIP_W, CLIP_H, &zs_depth_linear);
     CASE_CHECK(!zs_init(&r, &config, arena, sizeof arena) && !zs_frame_begin(&r, &l.scene, camera));
-    CASE_CHECK(!zs_cull_bounds(&b, &l.instance, camera) && zs_xform_instance(&r, 0, &b));
+    CASE_CHECK(!zs_cull_bounds(&b, &r, &l.instance) && zs_xform_instance(&r, 0, &b));
     for (uint32_t k = 0; k < 3; k++)
         zs_xform_vertex(&r.xform, k, &cv[k].p);
     const int n = zs_clip_polygon(&r.view, cv, 3, ZS_OUT_NEAR | ZS_OUT_FAR | ZS_OUT_SIDES, 0);
@@ -837,7 +837,7 @@ static int tiny_polygon_case(uint64_t seed)
     const uint32_t bytes = zs_arena_bytes(&config);
     void *arena = malloc(bytes);
     ok = ok && !zs_init(&r, &config, arena, bytes) && !zs_frame_begin(&r, &scene, &camera) &&
-         !zs_cull_bounds(&b, &in, &camera) && zs_xform_instance(&r, 0, &b);
+         !zs_cull_bounds(&b, &r, &in) && zs_xform_instance(&r, 0, &b);
     for (uint32_t t = 0; t < s.mesh.n_tris && ok; t++)
         ok = polygon_drawn(&r, &f, t);
     free(arena);
@@ -896,7 +896,7 @@ static int folded_case(uint64_t seed)
     l.material.cull = ZS_CULL_BACK;
     l.instance.pose.pos[2] = -PIXEL_Z;
     CASE_CHECK(!zs_init(&r, &config, arena, sizeof arena) && !zs_frame_begin(&r, &l.scene, &camera));
-    CASE_CHECK(!zs_cull_bounds(&b, &l.instance, &camera) && zs_xform_instance(&r, 0, &b));
+    CASE_CHECK(!zs_cull_bounds(&b, &r, &l.instance) && zs_xform_instance(&r, 0, &b));
     uint32_t planes = 0;
     for (uint32_t k = 0; k < 3; k++) {
         zs_xform_vertex(&r.xform, l.tri[0][k], &cv[k].p);

@@ -105,7 +105,7 @@ static int instance_next(uint32_t number)
 {
     struct zs_renderer *r = &world.r;
     struct zs_bounds b;
-    CASE_CHECK(zs_cull_bounds(&b, &world.instance[number], &world.camera) == ZS_OK && zs_xform_instance(r, number, &b));
+    CASE_CHECK(zs_cull_bounds(&b, r, &world.instance[number]) == ZS_OK && zs_xform_instance(r, number, &b));
     r->vert_base = r->n_verts;
     r->direct = 0;
     return 1;

@@ -309,7 +309,9 @@ static int bounds_case(uint64_t seed)
     const int32_t far = 2 << prng_pick(&p, 27), away = 2 << prng_pick(&p, 27);
     const int32_t at[3] = { prng_range(&p, -far, far), prng_range(&p, -far, far), prng_range(&p, -far, far) };
     struct zs_mesh mesh = { .scale = 1u + (prng_next(&p) >> (34 + prng_pick(&p, 28))), .radius = 100 };
-    struct zs_instance in = { .mesh = &mesh };
+    const struct zs_material material = { 0 };
+    struct zs_instance in = { .mesh = &mesh, .material = &material };
+    static struct zs_renderer r;
     struct zs_camera camera;
     struct zs_bounds b;
     zs_pose_identity(&in.pose);
@@ -321,7 +323,8 @@ static int bounds_case(uint64_t seed)
     CASE_CHECK(zs_camera_perspective(&camera, 8000, 90, 1, 1000) == ZS_OK);
     CASE_CHECK(zs_camera_orbit(&camera, at, away, (zs_turn)prng_next(&p), (int16_t)prng_range(&p, -16000, 16000)) ==
                ZS_OK);
-    CASE_CHECK(zs_cull_bounds(&b, &in, &camera) == ZS_OK);
+    r.camera = camera;
+    CASE_CHECK(zs_cull_bounds(&b, &r, &in) == ZS_OK);
     const long double one = ZS_Q30_ONE, scale = (long double)mesh.scale * in.pose.scale / 4294967296.0L;
     long double world[3];
     for (int k = 0; k < 3; k++) {

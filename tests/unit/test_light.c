@@ -42,7 +42,7 @@ static int light_case(uint64_t seed)
         zs_init(&r, &config, arena, sizeof arena) || zs_frame_begin(&r, &scene, &camera))
         return case_wrong("set-up");
     struct zs_bounds b;
-    CASE_CHECK(zs_cull_bounds(&b, &in, &camera) == ZS_OK && zs_xform_instance(&r, 0, &b) == 1);
+    CASE_CHECK(zs_cull_bounds(&b, &r, &in) == ZS_OK && zs_xform_instance(&r, 0, &b) == 1);
     for (int n = 0; n < 50; n++) {
         double v[3] = { prng_range(&p, -99, 99), prng_range(&p, -99, 99), prng_range(&p, -99, 99) };
         if (v[0] == 0 && v[1] == 0 && v[2] == 0)

@@ -62,7 +62,7 @@ static int set_up(struct setting *s, struct prng *p)
     s->config = config;
     struct zs_bounds b;
     return !zs_init(&s->r, &config, s->arena, sizeof s->arena) && !zs_frame_begin(&s->r, &s->scene, &s->camera) &&
-           !zs_cull_bounds(&b, &s->in, &s->camera) && zs_xform_instance(&s->r, 0, &b);
+           !zs_cull_bounds(&b, &s->r, &s->in) && zs_xform_instance(&s->r, 0, &b);
 }
 
 static uint32_t looked_at[30]; /* vertices by shift */

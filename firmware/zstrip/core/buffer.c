@@ -45,7 +45,7 @@ uint16_t zs_scene_list(struct zs_renderer *r)
     return list;
 }
 
-static void buffer_strip(struct zs_renderer *r)
+static ZS_RARE void buffer_strip(struct zs_renderer *r)
 {
     if (r->strip >= r->band_end)
         zs_walk(r, r->draw_end);

@@ -57,9 +57,9 @@ static int range_ok(const struct zs_instance *in)
 }
 
 /* Compute the bounding sphere of an instance whose fields are in range. */
-static void bounds(struct zs_bounds *b, const struct zs_instance *in,
-                   const struct zs_camera *camera)
+static int bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct zs_instance *in)
 {
+    const struct zs_camera *const camera = &r->camera;
     const struct zs_mesh *mesh = in->mesh;
     const uint64_t scale = zs_usual_scale(in);
     zs_q2_30 view[9], both[9];
@@ -83,15 +83,13 @@ static void bounds(struct zs_bounds *b, const struct zs_instance *in,
     b->slack = (b->reach >> 16) + 16; /* arithmetic errors are below 2^-26 of reach, those of the
                                          rotations below 2^-20; zs_cull_walk adds the error of
                                          rounding to camera units */
+    const struct zs_primitive *const primitive = in->material->primitive;
+    return primitive ? primitive->ops->widen(r, in, b) : ZS_OK;
 }
 
-int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
-                   const struct zs_camera *camera)
+int zs_cull_bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct zs_instance *in)
 {
-    if (!range_ok(in))
-        return ZS_ERR_RANGE;
-    bounds(b, in, camera);
-    return ZS_OK;
+    return range_ok(in) ? bounds(b, r, in) : ZS_ERR_RANGE;
 }
 
 /* Return the signed distance from a side plane, positive inside, q48_16, nearest. lateral is |x| or
@@ -124,12 +122,6 @@ int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view 
            1;
 }
 
-int zs_cull_widen(const struct zs_renderer *r, const struct zs_instance *in, struct zs_bounds *b)
-{
-    const struct zs_primitive *primitive = in->material->primitive;
-    return primitive ? primitive->ops->widen(r, in, b) : ZS_OK;
-}
-
 int zs_cull_box(const struct zs_renderer *r, const struct zs_bounds *b, struct zs_box *box)
 {
     const struct zs_view *view = &r->view;
@@ -158,11 +150,9 @@ int zs_cull_box(const struct zs_renderer *r, const struct zs_bounds *b, struct z
 
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
 {
-    const struct zs_instance *in = zs_instance_of(r, number);
-    bounds(b, in, &r->camera); /* zs_frame_begin has checked the ranges */
+    (void)bounds(b, r, zs_instance_of(r, number)); /* zs_frame_begin has checked it */
     /* -3 .. 30; from 20 on, the 1 below dominates */
     const int32_t shift = zs_min32(r->view.shift, 28);
-    (void)zs_cull_widen(r, in, b);
     b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: the error of a vertex */
     return zs_cull_sphere(b, &r->camera, &r->view);
 }

@@ -17,13 +17,10 @@ struct zs_bounds {
                       as well */
 };
 
-/* Compute the bounding sphere of an instance, in world units. Return ZS_OK or ZS_ERR_RANGE. */
-int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
-                   const struct zs_camera *camera);
-
-/* Enlarge the bounds for what an instance draws beyond its vertices. Return ZS_OK or an error
- * (core/primitive.h). */
-int zs_cull_widen(const struct zs_renderer *r, const struct zs_instance *in, struct zs_bounds *b);
+/* Compute the sphere, in world units, that bounds all that an instance draws; primitives may draw
+ * beyond their vertices (core/primitive.h). Return ZS_OK, ZS_ERR_RANGE, or the primitive's error.
+ * r->camera and the size of r->view are set. */
+int zs_cull_bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct zs_instance *in);
 
 /* Return 1 if the sphere is outside the view frustum. Conservative: 0 if in doubt. */
 int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,

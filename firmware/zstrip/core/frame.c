@@ -10,7 +10,6 @@
 #include "core/fx.h"
 #include "core/method.h"
 #include "core/pass.h"
-#include "core/primitive.h"
 #include "core/raster.h"
 #include "core/rows.h"
 #include "core/usual.h"
@@ -121,7 +120,6 @@ _Static_assert(sizeof(struct zs_renderer) < 1u << 14 && ZS_VARYINGS_MAX < 1 << 4
 ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config, void *arena,
                           size_t bytes, uint32_t build)
 {
-    int err;
     if (!r)
         return ZS_ERR_NULL;
     if (build != ZS_BUILD)
@@ -136,10 +134,13 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
         return ZS_ERR_DEPTH;
     r->config = *config;
     r->span = config->depth->span ? config->depth->span : zs_rows_test;
-    if (!config->method)
+    if (config->method) {
+        const int err = config->method->begin(r);
+        if (err)
+            return err;
+    } else {
         r->config.method = &zs_method_buffer;
-    else if ((err = config->method->begin(r)) != ZS_OK)
-        return err;
+    }
     r->config.buffers = config->buffers == 2 ? 2 : 1;
     r->config.subpixel_bits = config->subpixel_bits == 4 ? 4 : 8;
     r->config.depth_bits = config->depth_bits ? config->depth_bits : 16;
@@ -147,9 +148,7 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
     strip_divisor(r);
     const uintptr_t at = (uintptr_t)arena;
-    const uint32_t lent = ZS_TRI_BYTES((uint32_t)(config->max_tris - r->config.max_tris));
-    /* lent: what a method took of the pool */
-    if (place_pools(r, at) - at + lent > bytes || (at & 3u))
+    if (place_pools(r, at) - at > bytes || (at & 3u))
         return ZS_ERR_ARENA;
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value is correct: entries are checked */
@@ -218,8 +217,7 @@ static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scen
         struct zs_bounds b;
         int err = instance_check(r, &scene->instance[i]);
         if (!err)
-            err = zs_cull_bounds(&b, &scene->instance[i], &r->camera);
-        err = err ? err : zs_cull_widen(r, &scene->instance[i], &b);
+            err = zs_cull_bounds(&b, r, &scene->instance[i]);
         if (err)
             return err;
         if (!zs_cull_sphere(&b, &r->camera, &r->view) && *reach < b.reach + b.slack)

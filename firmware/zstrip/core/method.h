@@ -12,7 +12,7 @@ struct zs_row;
 
 struct zs_method {
     /* Called by zs_init: return ZS_OK, or the error with which r->config is refused. A method that
-     * colours pixels in its own way sets r->span. */
+     * colours pixels in its own way sets r->span. NULL: the depth buffer, and no other. */
     int (*begin)(struct zs_renderer *r);
     /* Bin if r->band_end says so (zs_walk), and draw strip r->strip. */
     void (*strip)(struct zs_renderer *r);

@@ -22,6 +22,7 @@
 struct cursor {
     uint32_t instance, tri, piece;
     uint8_t open;            /* 1: the instance's triangles are being binned; tri is the next one */
+    zs_assemble_fn *assemble; /* bins one of the instance's */
     uint32_t outcome[ZS_OUTCOMES]; /* the walk's triangles so far, counted by outcome */
 };
 
@@ -48,7 +49,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     const struct zs_instance *in = zs_instance_of(r, number);
     const struct zs_track_kernel *track = r->track;
     const struct zs_fast_clusters *clusters =
-        in->mesh->cluster && !in->material->primitive ? ZS_IF_FAST(r->clusters_hooks) : 0;
+        in->mesh->cluster ? ZS_IF_FAST(r->clusters_hooks) : 0;
     const struct zs_depth_state *state = in->depth_state;
     struct zs_part part;
     if (track) {
@@ -82,17 +83,10 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
 }
 
 /* Go to the next run of triangles of the current instance, [r->clusters.from, r->clusters.end).
- * Return 0 if there is none. */
+ * Return 0 if there is none: without clusters, all were one run. */
 static ZS_RARE int next_run(struct zs_renderer *r, struct cursor *at)
 {
-    int some;
-    if (ZS_IF_FAST(r->by_clusters)) {
-        some = r->clusters_hooks->run(r);
-    } else {
-        r->clusters.from = r->clusters.end;
-        r->clusters.end = zs_primitives_of(r->xform.instance);
-        some = r->clusters.from < r->clusters.end;
-    }
+    const int some = ZS_IF_FAST(r->by_clusters) && r->clusters_hooks->run(r);
     at->tri = r->clusters.from;
     return some;
 }
@@ -100,7 +94,16 @@ static ZS_RARE int next_run(struct zs_renderer *r, struct cursor *at)
 /* Open the cursor's instance and count it. Return 0 if it has nothing to bin. */
 static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 {
-    const uint32_t n = r->counting ? zs_primitives_of(zs_instance_of(r, at->instance)) : 0;
+    const struct zs_instance *const in = zs_instance_of(r, at->instance);
+    const struct zs_primitive *const primitive = in->material->primitive;
+    zs_assemble_fn *assemble = zs_assemble_tri;
+    uint32_t all = in->mesh->n_tris;
+    if (primitive) {
+        all = primitive->n;
+        assemble = primitive->ops->assemble;
+    }
+    at->assemble = assemble;
+    const uint32_t n = all * r->counting;
     if (ZS_IF_FAST(r->parts_tris) && r->batch->beside(r, at->instance))
         return 0;
     r->stats.instances_in += r->counting;
@@ -113,17 +116,19 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
     r->vert_base = r->n_verts;
     if (!ZS_NO_FAST)
         r->direct = r->batched = 0;
-    if (ZS_IF_FAST(r->batch) && !r->xform.instance->material->primitive)
+    if (ZS_IF_FAST(r->batch))
         r->batch->open(r);
     at->piece = 0;
-    return next_run(r, at);
+    if (ZS_IF_FAST(r->by_clusters))
+        return next_run(r, at);
+    at->tri = 0;
+    r->clusters.end = all;
+    return all != 0;
 }
 
 /* Bin the open instance's triangles from the cursor on. Return 0 if a pool is full. */
 static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
-    const struct zs_primitive *primitive = r->xform.instance->material->primitive;
-    zs_assemble_fn *const assemble = primitive ? primitive->ops->assemble : zs_assemble_tri;
     do {
         if (ZS_IF_FAST(r->batched)) {
             at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->outcome, &at->piece);
@@ -131,7 +136,7 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
                 return 0;
         }
         for (; at->tri < r->clusters.end; at->tri++) {
-            const enum zs_outcome outcome = assemble(r, at->tri, &at->piece);
+            const enum zs_outcome outcome = at->assemble(r, at->tri, &at->piece);
             if (outcome == ZS_OUTCOME_FULL)
                 return 0;
             at->outcome[outcome]++;

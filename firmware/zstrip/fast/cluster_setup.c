@@ -227,7 +227,7 @@ ZS_RARE int zs_cluster_open(struct zs_renderer *r, const struct zs_bounds *b)
     const uint64_t scale = zs_usual_scale(in);
     zs_q2_30 axis[9];
     struct ruler by;
-    if (mesh->n_clusters < CLUSTERS_MIN || in->material->shader->place)
+    if (mesh->n_clusters < CLUSTERS_MIN || in->material->shader->place || in->material->primitive)
         return 0;
     if (!r->batch)
         zs_screen_needs(r, b);

@@ -17,7 +17,6 @@
 #include "core/fx.h"
 #include "core/method.h"
 #include "core/pass.h"
-#include "core/primitive.h"
 #include "core/xform.h"
 #include "fast/parts.h"
 #include "zs_shader.h"
@@ -33,9 +32,10 @@ static uint16_t *parts(const struct zs_renderer *r)
     return (uint16_t *)(void *)(r->tri + r->config.max_tris);
 }
 
+/* The number of an instance's parts. Those of lines and points are its mesh's, and note nothing. */
 ZS_RARE static ZS_NOINLINE uint32_t parts_of(const struct zs_instance *in, uint32_t log2)
 {
-    return (zs_primitives_of(in) + (1u << log2) - 1u) >> log2;
+    return (in->mesh->n_tris + (1u << log2) - 1u) >> log2;
 }
 
 ZS_RARE int zs_parts_batched(const struct zs_renderer *r, const struct zs_instance *in)
@@ -67,7 +67,7 @@ ZS_RARE void zs_parts_begin(struct zs_renderer *r, uint32_t t)
     const int many = mesh->n_tris > r->config.max_tris && mesh->n_verts > r->config.max_verts;
     uint32_t tris, n;
     if (r->parts_tris || !r->counting || (r->band_end == r->band_begun && !many) || r->passes ||
-        r->track || r->config.method != &zs_method_buffer || (n = choose(r)) == 0)
+        r->track || r->config.method->begin || (n = choose(r)) == 0)
         return;
     tris = (2u * n + 11u) / 12u;
     if (r->n_tris + tris > r->config.max_tris)
@@ -95,11 +95,11 @@ ZS_RARE void zs_parts_begin(struct zs_renderer *r, uint32_t t)
 
 ZS_RARE int zs_parts_end(struct zs_renderer *r, uint32_t t)
 {
-    uint32_t n = zs_primitives_of(r->xform.instance) - t;
+    uint32_t n = 0u - t;
     if (!r->counting || r->n_tris < r->config.max_tris || r->band_end < r->band_begun)
         return 0;
-    for (uint32_t i = r->xform.number + 1u; i < r->n_instances; i++)
-        n += zs_primitives_of(zs_instance_of(r, i));
+    for (uint32_t i = r->xform.number; i < r->n_instances; i++)
+        n += zs_instance_of(r, i)->mesh->n_tris;
     if (n > 4u * r->parts_tris)
         return 0;
     r->config.max_tris = (uint16_t)(r->config.max_tris + r->parts_tris);
@@ -128,7 +128,7 @@ ZS_RARE int zs_parts_beside(struct zs_renderer *r, uint32_t number)
 {
     r->part = number ? r->part_end : 0u;
     r->part_end = (uint16_t)(r->part + parts_of(zs_instance_of(r, number), r->part_log2));
-    return !r->counting && !in_band(r);
+    return !r->counting && r->part_end != r->part && !in_band(r);
 }
 
 ZS_RARE int zs_parts_whole(const struct zs_renderer *r)

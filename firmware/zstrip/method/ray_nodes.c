@@ -87,8 +87,9 @@ static int node_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t
 static int node_open(struct zs_renderer *r, const struct zs_bounds *b)
 {
     (void)b;
+    const struct zs_material *const material = r->xform.instance->material;
     ((struct zs_rays *)r->method_state)->node = 0;
-    return r->xform.instance->mesh->bvh && !r->xform.instance->material->shader->place;
+    return r->xform.instance->mesh->bvh && !material->primitive && !material->shader->place;
 }
 
 static int node_verts(struct zs_renderer *r)

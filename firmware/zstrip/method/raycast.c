@@ -6,7 +6,7 @@
  * the hit is that of the planes of core/plane.c. Among the hits the depth test of
  * core/depth_test.c decides, in scene order. So the frame is that of the depth buffer, bit for bit.
  *
- * MEMORY. The configuration's triangle pool is shared out between triangles and boxes (begin). The
+ * MEMORY. The triangle pool is shared out between triangles and boxes. The
  * depth memory holds the numbers of the triangles that the rays have hit, until they are coloured.
  * If there are resolve hooks, which may read keys, a second ray for each pixel writes the key
  * afterwards.
@@ -41,13 +41,19 @@ static uint32_t boxes_of(uint32_t n)
     return sum;
 }
 
-/* The boxes: the arena's last bytes, which zs_init leaves over as max_tris is less than the
- * program's. */
+/* The number of triangles, most of which leave a pool of n records room for their boxes. */
+static uint32_t tris_of(uint32_t n)
+{
+    uint32_t tris = (3u * n + 4u) / 7u; /* boxes_of(t) >= 4/3 (t - 1) */
+    while (tris + boxes_of(tris) > n)
+        tris--;
+    return tris;
+}
+
+/* The boxes: the pool's records after the triangles, since ray_strip has shared it out. */
 static struct zs_ray_box *boxes(const struct zs_renderer *r)
 {
-    const struct zs_config *c = &r->config;
-    return (struct zs_ray_box *)(void *)((uint8_t *)r->attr +
-                                         ZS_ROUND4((uint32_t)c->max_verts * c->varyings * 2u));
+    return (struct zs_ray_box *)(void *)(r->tri + r->config.max_tris);
 }
 
 static int32_t strip_end(const struct zs_renderer *r)
@@ -152,6 +158,8 @@ static int region_next(const struct zs_renderer *r, struct zs_rays *s)
 static void ray_strip(struct zs_renderer *r)
 {
     struct zs_rays s;
+    const uint16_t all = r->config.max_tris;
+    r->config.max_tris = (uint16_t)tris_of(all);
     r->method_state = &s;
     const struct zs_fast_clusters *const others = r->clusters_hooks;
     r->clusters_hooks = &zs_ray_nodes;
@@ -167,6 +175,7 @@ static void ray_strip(struct zs_renderer *r)
     }
     r->clusters_hooks = others;
     r->method_state = 0;
+    r->config.max_tris = all;
 }
 
 static uint16_t ray_list(struct zs_renderer *r)
@@ -177,15 +186,11 @@ static uint16_t ray_list(struct zs_renderer *r)
 
 static int ray_begin(struct zs_renderer *r)
 {
-    struct zs_config *c = &r->config;
-    uint32_t tris = c->max_tris / 2u;
+    const struct zs_config *c = &r->config;
     if (c->depth->span)
         return ZS_ERR_DEPTH;
-    while (tris + boxes_of(tris) > c->max_tris)
-        tris--;
-    if (tris < 2 || c->max_verts < 6)
+    if (c->max_tris < 4 || c->max_verts < 6)
         return ZS_ERR_SIZE;
-    c->max_tris = (uint16_t)tris;
     r->span = zs_rays_span;
     r->method_state = 0;
     return ZS_OK;

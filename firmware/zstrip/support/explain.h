@@ -84,8 +84,7 @@ int zs_explain_eye_inside(const struct zs_bounds *b);
 /* The bounding sphere of an instance that zs_frame_begin accepts. */
 static inline void zs_explain_bounds(const struct zs_explainer *e, uint32_t i, struct zs_bounds *b)
 {
-    (void)zs_cull_bounds(b, &e->scene->instance[i], &e->r->camera);
-    (void)zs_cull_widen(e->r, &e->scene->instance[i], b);
+    (void)zs_cull_bounds(b, e->r, &e->scene->instance[i]);
 }
 
 #endif
