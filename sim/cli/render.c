@@ -158,8 +158,12 @@ static int prepare(struct job *job)
     job->drawn = &job->scene->scene;
     if (o->style != SIM_STYLE_SOLID) {
         static const struct zs_rgb white = ZS_RGB(0xffffff);
-        status = sim_styled_make(&job->styled, job->drawn, (enum sim_style)o->style, o->has_color ? o->color : white,
-                                 (uint8_t)o->line_width);
+        struct sim_line_wish wish = o->lines;
+        wish.style = (enum sim_style)o->style;
+        wish.ink = o->has_color ? o->color : white;
+        wish.width = (uint8_t)o->line_width;
+        wish.crease = (zs_turn)(o->crease * 65536.0 / 360.0 + 0.5);
+        status = sim_styled_make(&job->styled, job->drawn, &job->scene->camera, &wish);
         if (status != SIM_OK)
             return status;
         job->drawn = &job->styled.scene;

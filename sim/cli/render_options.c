@@ -93,6 +93,14 @@ static const struct sim_option table[] = {
               "points: its vertices, in white or the --color (solid)" },
     { "--line-width", SIM_OPTION_COUNT, AT(line_width), 0, 1, 64,
       .help = "px, of the lines and points of --style; no matter to solid (1)" },
+    { "--edges", SIM_OPTION_TEXT, AT(edges), .value = "LIST",
+      .help = "which edges --style wire and hidden-line draw: all, or names with commas between. border: of one face; "
+              "crease: its faces meet at --crease or more; silhouette: one of them faces the eye, the other does not, "
+              "as in border,silhouette (all)" },
+    { "--crease", SIM_OPTION_NUMBER, AT(crease), AT(has_crease), 0, 180, .value = "DEGREES",
+      .help = "the angle of --edges crease: between what its faces look at (30)" },
+    { "--dash", SIM_OPTION_TEXT, AT(dash), .value = "ON,OFF",
+      .help = "px that a line of --style wire and hidden-line is drawn for and left out for, in turn (without gaps)" },
     { "--texture", SIM_OPTION_FILE, AT(texture), .value = "T.png",
       .help = "one picture (PNG or JPEG) for all faces in place of the model's own. A side that is no power of two up "
               "to 1024 becomes the nearest one by averaging areas (texture_resampled of --stats); alpha is dropped" },
@@ -205,6 +213,8 @@ void sim_options_defaults(struct sim_options *o)
     o->size[0] = o->size[1] = 240;
     o->strip = 16;
     o->line_width = 1;
+    o->crease = 30.0;
+    o->lines.kinds = ZS_EDGE_ALL;
     o->depth_bits = 16;
     o->buffers = 2;
     o->up[1] = 1.0;
@@ -297,6 +307,22 @@ static int check_effects(const struct sim_options *o)
     return SIM_OK;
 }
 
+/* What is said of lines, where there are lines. */
+static int take_lines(struct sim_options *o)
+{
+    const char *said = o->edges != NULL ? "--edges" : o->has_crease ? "--crease" : o->dash != NULL ? "--dash" : NULL;
+    int status = SIM_OK;
+    if (said != NULL && o->style != SIM_STYLE_WIRE && o->style != SIM_STYLE_HIDDEN_LINE)
+        return sim_usage("%s is about lines: add --style wire or hidden-line", said);
+    if (o->edges != NULL)
+        status = sim_edges_take(&o->lines.kinds, o->edges);
+    if (status == SIM_OK && o->has_crease && (o->edges == NULL || !(o->lines.kinds & ZS_EDGE_CREASE)))
+        return sim_usage("--crease is the angle of --edges crease, which is missing");
+    if (status == SIM_OK && o->dash != NULL)
+        status = sim_dash_take(&o->lines.on, &o->lines.off, o->dash);
+    return status;
+}
+
 static int check_style(const struct sim_options *o)
 {
     if (o->style == SIM_STYLE_SOLID)
@@ -358,6 +384,8 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         status = check_effects(o);
     if (status == SIM_OK)
         status = check_method(o);
+    if (status == SIM_OK)
+        status = take_lines(o);
     if (status == SIM_OK)
         status = check_style(o);
     if (status == SIM_OK)

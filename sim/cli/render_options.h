@@ -7,6 +7,7 @@
 
 #include "accelerator_names.h"
 #include "effect_options.h"
+#include "line_style.h"
 #include "model.h"
 #include "panel_frame.h"
 #include "false_colors.h"
@@ -58,11 +59,14 @@ struct sim_options {
     int method;             /* of sim_methods */
     int style;              /* enum sim_style */
     long line_width;        /* px, of lines and points */
+    const char *edges, *dash; /* of lines; NULL: not given */
+    double crease;          /* degrees */
+    struct sim_line_wish lines; /* what edges and dash say */
     const char *texture;    /* a file for all faces; NULL: the model's own */
     enum sim_texel texel;   /* how textures are stored; without has_texel the smallest that is good enough */
     int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */
     struct zs_rgb background, color;
-    int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap,
+    int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap, has_crease,
         has_texel; /* flags */
     int precise;                          /* flag: 24 bits a coordinate */
     int opaque;                           /* flag: alpha, highlights and emission do nothing */

@@ -22,6 +22,13 @@ const struct gallery_effect gallery_effects[GALLERY_EFFECTS] = {
       "Drawings, and panels of one bit: the edges that no face hides. Faces are drawn first, into the depth buffer "
       "alone and pushed back a little.",
       "An edge that is sunk into another part by less than that may show for a few px." },
+    { "outline", "Silhouette and creases", POT "--style hidden-line --edges border,crease,silhouette --crease 40",
+      "Technical drawings, cartoons over shaded faces: few lines say the shape. Silhouettes are chosen anew as the eye "
+      "moves.",
+      "A silhouette may have gaps of a few px where the face beside it is thinner than half a px." },
+    { "dashed", "Dashed lines", POT "--style wire --edges border,crease,silhouette --crease 40 --dash 5,4",
+      "Hidden edges of a drawing, guides, grids: px along x or y, whichever is longer.",
+      "Dashes begin anew at each edge, and where it is clipped. Each is a line of its own: 3,400 instructions." },
     { "points", "Points", POT "--style points --line-width 2",
       "Vertices, scans, stars: squares of 1 to 64 px, tested against depth.",
       "No face hides them, but for faces that are drawn with them." },

@@ -13,8 +13,8 @@ struct gallery_effect {
     const char *take, *fails; /* when to take it, what it gets wrong or costs */
 };
 
-#define GALLERY_LINES 3 /* the first of them: lines and points in place of faces */
-#define GALLERY_EFFECTS 20
+#define GALLERY_LINES 5 /* the first of them: lines and points in place of faces */
+#define GALLERY_EFFECTS 22
 extern const struct gallery_effect gallery_effects[GALLERY_EFFECTS];
 
 /* Draw the card. SIM_OK; SIM_REFUSED, said why. */

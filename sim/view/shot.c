@@ -18,15 +18,15 @@
 #define RADIANS 0.01745329251994329577
 #define DIGITS 1e-5 /* of the distance, to which places are rounded */
 
-/* Options that do not change how a model is loaded; from the sixth on, not what it is converted to, either: they say
+/* Options that do not change how a model is loaded; from the ninth on, not what it is converted to, either: they say
  * the view, light, background or renderer. */
 static const char *const after_loading[] = {
-    "--show", "--method", "--threads", "--style", "--line-width",
+    "--show", "--method", "--threads", "--style", "--line-width", "--edges", "--crease", "--dash",
     "--out", "--size", "--strip", "--depth", "--depth-bits", "--subpixel", "--tris", "--verts", "--buffers", "--fast",
     "--panel", "--rotate", "--invert", "--bgr", "--eye", "--at", "--up", "--fov", "--near", "--far", "--projection",
     "--background", "--light", "--ambient", "--diffuse", NULL
 };
-static const char *const *const after_converting = after_loading + 5;
+static const char *const *const after_converting = after_loading + 8;
 
 /* ---- Pictures ---------------------------------------------------------------------------------------- */
 

@@ -23,9 +23,9 @@ for m in $methods; do
     "$zsim" render --help | grep -q "[|  ]$m" || wrong "zsim render --help does not name $m"
 done
 is "pictures in the page" "$(grep -c 'src="data:image/png;base64,' page/index.html)" \
-    $(($(echo $methods | wc -w) * 8 + 20))
-for e in wire hidden-line points lights per-pixel textured-highlights alpha add screen-door bilinear mipmap samples \
-    fog dither shadow-planar shadow-map shadow-lights environment mirror together; do
+    $(($(echo $methods | wc -w) * 8 + 22))
+for e in wire hidden-line outline dashed points lights per-pixel textured-highlights alpha add screen-door bilinear \
+    mipmap samples fog dither shadow-planar shadow-map shadow-lights environment mirror together; do
     grep -q "<section id=$e " page/index.html || wrong "no card of $e"
 done
 grep -q 'src="[^d]\|href=' page/index.html && wrong "the page needs another file"
@@ -91,6 +91,35 @@ for refused in "--compare" "--id-out i.u32" "--method painter" "--show overdraw"
     # shellcheck disable=SC2086
     z render cube.obj --out y.png --style wire $refused
     one_line 2 'style: '
+done
+for list in crease border silhouette border,crease,silhouette crease:--crease=91 crease,border:--crease=89; do
+    edges=${list%%:*} angle=${list#"${list%%:*}"}
+    # shellcheck disable=SC2086
+    z render cube.obj --out y.png --stats "$list.json" --style wire --edges "$edges" ${angle#:}
+    [ $status -eq 0 ] || wrong "--edges $list: status $status: $(said)"
+done
+is "creases, borders, silhouettes of a cube; all three" \
+    "$(for list in crease border silhouette border,crease,silhouette crease:--crease=91 crease,border:--crease=89; do
+        count $list triangles_in
+    done | tr '\n' ' ')" '12 0 6 12 0 12 '
+rm -f y.png
+z render cube.obj --out solid.png --stats line.json --style wire --edges silhouette
+z render cube.obj --out dashed.png --stats dash.json --style wire --edges silhouette --dash 3,6
+[ $(($(count dash pixels_visible) * 100 / $(count line pixels_visible))) -le 40 ] || wrong "dashes of a third of a line"
+[ $(($(count dash pixels_visible) * 100 / $(count line pixels_visible))) -ge 30 ] || wrong "dashes of a third of a line"
+z render cube.obj --out y.png --edges crease
+one_line 2 'edges is about lines: add --style wire or hidden-line'
+z render cube.obj --out y.png --style points --dash 3,3
+one_line 2 'dash is about lines: add --style wire or hidden-line'
+z render cube.obj --out y.png --style wire --crease 30
+one_line 2 'crease is the angle of --edges crease, which is missing'
+z render cube.obj --out y.png --style wire --edges border,sharp
+one_line 2 "edges: 'sharp' is none of all, border, crease, silhouette"
+z render cube.obj --out y.png --style wire --edges crease --crease 181
+one_line 1 'crease 181 is outside its range, 0 to 180'
+for dash in 3 3, ,3 0,3 3,256 3x4 3,4,5; do
+    z render cube.obj --out y.png --style hidden-line --dash "$dash"
+    one_line 2 "dash wants ON,OFF, two whole numbers from 1 to 255, as 6,4; not '$dash'"
 done
 z render cube.obj --out y.png --style wire --line-width 65
 [ $status -eq 1 ] || [ $status -eq 2 ] || wrong "a line of 65 px: status $status"

@@ -20,9 +20,10 @@
 
 /* The position of the traversal. */
 struct cursor {
-    uint32_t instance, tri, piece;
-    uint8_t open;            /* 1: the instance's triangles are being binned; tri is the next one */
-    zs_assemble_fn *assemble; /* bins one of the instance's */
+    uint32_t tri, piece;
+    uint16_t instance;
+    uint8_t open; /* 1: the instance's triangles are being binned; tri is the next one */
+    zs_assemble_fn *assemble;      /* bins one of them */
     uint32_t outcome[ZS_OUTCOMES]; /* the walk's triangles so far, counted by outcome */
 };
 
@@ -103,14 +104,13 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
         assemble = primitive->ops->assemble;
     }
     at->assemble = assemble;
-    const uint32_t n = all * r->counting;
     if (ZS_IF_FAST(r->parts_tris) && r->batch->beside(r, at->instance))
         return 0;
     r->stats.instances_in += r->counting;
-    r->stats.tris_in += n;
+    r->stats.tris_in += all * r->counting;
     if (!instance_open(r, at->instance)) {
         r->stats.instances_culled += r->counting;
-        r->stats.tris_frustum += n;
+        r->stats.tris_frustum += all * r->counting;
         return 0;
     }
     r->vert_base = r->n_verts;
