@@ -1073,6 +1073,7 @@ MAKE(no_lines, w->lines.primitive.n = 0)
 MAKE(wide_lines, w->lines.width = 100)
 MAKE(lines_of_none, w->red.shader = &zs_shade_none)
 MAKE(no_text, w->item.kind = &zs_item_text)
+MAKE(no_items, w->overlay.item = NULL)
 MAKE(hooks_0, w->scene.n_resolves = 0)
 MAKE(hook_null, w->scene.resolve = NULL)
 MAKE(subpixel_16, w->config.subpixel_bits = 16)
@@ -1134,6 +1135,7 @@ static const struct mistake more[] = {
     { "wide lines", with_lines, wide_lines, ZS_ERR_RANGE, I0 " is refused: the width of its lines, or the size" },
     { "lines of no colour", with_lines, lines_of_none, 0, I0 ": 4 triangles are drawn and colour no pixel" },
     { "no text", with_overlay, no_text, 0, "resolve hook 0 changes no pixel" },
+    { "no items", with_overlay, no_items, 0, "resolve hook 0 changes no pixel" },
     { "n_resolves 0", with_overlay, hooks_0, 0, "scene.resolve is given, and no hook is called: n_resolves is 0" },
     { "no hook", with_overlay, hook_null, ZS_ERR_NULL, "scene.resolve, or draw of a hook, is NULL" },
     { "16 sub-pixel bits", NULL, subpixel_16, ZS_ERR_SIZE, "config.subpixel_bits is 16: it takes 8, or 4" },

@@ -27,7 +27,7 @@ void zs_overlay_draw(void *ctx, const struct zs_target *target)
 {
     const struct zs_overlay *overlay = ctx;
     const struct zs_item *item = overlay->item;
-    for (uint32_t n = overlay->n; n; n--, item++)
+    for (uint32_t n = item ? overlay->n : 0; n; n--, item++)
         if (item->kind && !right(item))
             item->kind->draw(item, target);
 }
@@ -108,7 +108,7 @@ int zs_overlay_changes(void *ctx, struct zs_rect *rect)
     struct zs_overlay *overlay = ctx;
     struct seen *seen = (struct seen *)(void *)overlay->memory;
     struct zs_box box = { 65535, 65535, 0, 0 };
-    if (!seen || overlay->n > overlay->room) {
+    if (!seen || !overlay->item || overlay->n > overlay->room) {
         const struct zs_rect all = { 0, 0, 65535, 65535 };
         overlay->before = 0;
         *rect = all;
