@@ -165,13 +165,27 @@ static const char *plural(uint32_t n)
     return n == 1 ? "" : "s";
 }
 
+/* The materials that triangles name: a file may have more, and its loader adds one. */
+static uint32_t materials_used(const struct sim_model *model)
+{
+    uint8_t *used = sim_alloc(model->n_materials, 1);
+    uint32_t n = 0;
+    for (uint32_t t = 0; t < model->n_tris; t++) {
+        n += !used[model->tri_material[t]];
+        used[model->tri_material[t]] = 1;
+    }
+    free(used);
+    return n;
+}
+
 static void print(const struct request *rq, const struct sim_model *model, const struct figures *f)
 {
     const struct budget *b = &f->worst;
     const struct zs_config *c = &b->config;
+    const uint32_t materials = materials_used(model);
     printf("%s: %u triangle%s, %u point%s, %u material%s, %u texture%s\n", rq->o.model,
-           model->n_tris, plural(model->n_tris), model->n_points, plural(model->n_points), model->n_materials,
-           plural(model->n_materials), model->n_textures, plural(model->n_textures));
+           model->n_tris, plural(model->n_tris), model->n_points, plural(model->n_points), materials,
+           plural(materials), model->n_textures, plural(model->n_textures));
     sim_simplify_print(stdout, "  ", model);
     if (model->lost_materials != NULL)
         printf("  not used: material file %s, which cannot be read\n", model->lost_materials);

@@ -186,6 +186,12 @@ is "scene data" "$data" "$(awk '$1 == "scene" && $2 == "data" { print $3 }' stdo
 awk -v ours="$ram" '/^Flash/ { exit } $1 == "together" { exit !(ours > 0.9 * $2 && ours < 1.1 * $2) }' stdout ||
     wrong "RAM is $ram, of zsim budget $(grep together stdout | head -n 1)"
 
+begin materials_are_those_of_triangles
+{ echo 'mtllib three.mtl'; echo 'usemtl b'; cat ball.obj; } >three.obj
+printf 'newmtl a\nnewmtl b\nKd 1 0 0\nnewmtl c\n' >three.mtl
+trial a three.obj
+grep -q '^three.obj: 224 triangles, 114 points, 1 material, 0 textures$' stdout || wrong "$(sed -n 2p stdout)"
+
 begin triangles_without_an_area_are_named
 { cat ball.obj; echo 'f 1 1 2'; echo 'f 2 3 2'; } >flat_too.obj
 trial a flat_too.obj
