@@ -27,7 +27,8 @@ static const struct sim_option table[] = {
     { "--size", SIM_OPTION_SIZE, AT(o.size), AT(o.has_size), 1, ZS_SIZE_MAX,
       .help = "px, where there is no --panel (240x240; a demo scene's own)" },
     { "--spi", SIM_OPTION_COUNT, AT(o.spi_hz), AT(o.has_spi), 1000, 1e9, .value = "HZ",
-      .help = "clock of the wire (62500000; grey and one-bit panels 10000000)" },
+      .help = "clock of the wire (st7789 and gc9a01 62500000, ssd1351 20000000, ili9341 and ssd1306 10000000, "
+              "ssd0323 4000000)" },
     { "Memory", SIM_OPTION_HEADING },
     { "--strip", SIM_OPTION_COUNT, AT(o.strip), AT(has_strip), 1, ZS_SIZE_MAX, .value = "ROWS",
       .help = "rows to a strip (16)" },
@@ -437,7 +438,7 @@ static int settle(struct budget_request *rq)
         return status;
     if (rq->o.panel.name != NULL && !rq->o.has_spi) {
         const struct budget_part *part = rq->part ? budget_part_named(rq->part) : NULL;
-        rq->o.spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
+        rq->o.spi_hz = sim_panel_hz(rq->o.panel.name, SIM_PANEL_HZ);
         if (part && part->spi_mhz > 0.0 && part->spi_mhz * 1e6 < (double)rq->o.spi_hz)
             rq->o.spi_hz = (long)(part->spi_mhz * 1e6);
     }

@@ -66,7 +66,8 @@ static const struct sim_option table[] = {
                       "the frame goes through this panel's driver and the model of its controller into --out: what "
                       "its viewer sees. --size is its picture's then. There are:"),
     { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, .value = "HZ",
-      .help = "clock of its wire, for the time in --stats (62500000; grey and one-bit panels 10000000)" },
+      .help = "clock of its wire, for the time in --stats (st7789 and gc9a01 62500000, ssd1351 20000000, ili9341 and "
+              "ssd1306 10000000, ssd0323 4000000)" },
     { "Camera, in the model's units; what is not given frames the model", SIM_OPTION_HEADING },
     { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye), .help = "where it stands" },
     { "--at", SIM_OPTION_VECTOR, AT(at), AT(has_at), .help = "what it looks at" },
@@ -193,7 +194,7 @@ static int check_panel(struct sim_options *o)
                             : pm_glass_format(&glass) == PM_GREY4 ? SIM_LEVELS_GREY
                                                                   : SIM_LEVELS_565;
     if (o->panel.name != NULL && status == SIM_OK && !o->has_spi)
-        o->spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
+        o->spi_hz = sim_panel_hz(o->panel.name, SIM_PANEL_HZ);
     return status;
 }
 

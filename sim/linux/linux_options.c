@@ -14,6 +14,7 @@
 #include "sim.h"
 
 #define AT(field) offsetof(struct linux_options, field)
+#define JUMPERS_HZ 32000000   /* no more than jumper wires carry */
 #define FRAMES_MAX 1000000000 /* of a run; frame numbers wrap at 2^32 */
 
 static const char *scene_list(void)
@@ -63,19 +64,6 @@ static const struct sim_option table[] = {
     SIM_HELP_OPTIONS(AT(help)),
 };
 
-/* What datasheets allow, and no more than jumper wires carry. */
-static long usual_speed(const char *panel)
-{
-    static const struct {
-        const char *name;
-        long hz;
-    } of[] = { { "ssd1351:", 20000000 }, { "ili9341:", 10000000 }, { "ssd1306:", 10000000 }, { "ssd0323:", 4000000 } };
-    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++)
-        if (strncmp(panel, of[i].name, strlen(of[i].name)) == 0)
-            return of[i].hz;
-    return 32000000;
-}
-
 static int check(struct linux_options *o)
 {
     struct pm_glass glass;
@@ -90,7 +78,7 @@ static int check(struct linux_options *o)
     if (o->has_step && o->frames == 0)
         return sim_usage("--step is for --frames, which is missing");
     if (!o->has_speed)
-        o->speed = usual_speed(o->panel.name);
+        o->speed = sim_panel_hz(o->panel.name, JUMPERS_HZ);
     return sim_panel_take(&o->panel, NULL, 0, o->size, o->strip, &glass);
 }
 

@@ -54,6 +54,18 @@ static int check_strip(const struct sim_panel_wish *wish, const char *file, cons
                       rows, wish->name, grain, (rows / grain + 1) * grain);
 }
 
+long sim_panel_hz(const char *name, long fastest)
+{
+    static const struct {
+        const char *name;
+        long hz;
+    } of[] = { { "ssd1351:", 20000000 }, { "ili9341:", 10000000 }, { "ssd1306:", 10000000 }, { "ssd0323:", 4000000 } };
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++)
+        if (strncmp(name, of[i].name, strlen(of[i].name)) == 0)
+            return of[i].hz < fastest ? of[i].hz : fastest;
+    return fastest;
+}
+
 int sim_panel_take(const struct sim_panel_wish *wish, const char *file, int has_size, long size[2], long strip,
                    struct pm_glass *glass)
 {

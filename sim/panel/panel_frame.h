@@ -54,6 +54,11 @@ int sim_panel_config(const struct sim_panel_wish *wish, const char *file, struct
 int sim_panel_take(const struct sim_panel_wish *wish, const char *file, int has_size, long size[2], long strip,
                    struct pm_glass *glass);
 
+#define SIM_PANEL_HZ 62500000 /* what ST7789 and GC9A01 take on short wires */
+
+/* The clock of its wire where none is asked for: `fastest`, or what its datasheet allows. Hz */
+long sim_panel_hz(const char *name, long fastest);
+
 /* Set a panel up for strips of `rows` rows. SIM_OK; SIM_REFUSED, said why. sim_panel_free in either case. */
 int sim_panel_begin(struct sim_panel_frame *p, const struct sim_panel_wish *wish, const char *file, uint32_t rows);
 void sim_panel_free(struct sim_panel_frame *p);

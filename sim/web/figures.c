@@ -138,7 +138,7 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
         rq.o.panel.name = panel;
         if (sim_panel_glass(&rq.o.panel, NULL, &glass) != SIM_OK)
             return NULL;
-        rq.o.spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
+        rq.o.spi_hz = sim_panel_hz(panel, SIM_PANEL_HZ);
     }
     const int piece = web.scene != NULL && sim_demo_piece(web.scene) != NULL;
     if (web.name == NULL || count(&b, &rq, piece) != SIM_OK)

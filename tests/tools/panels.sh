@@ -33,6 +33,16 @@ for panel in $panels; do
     done
 done
 
+begin wire_is_as_fast_as_the_controller_takes_it
+for of in st7789:240x240=62500000 gc9a01:240x240=62500000 ili9341:240x320=10000000 ssd1351:128x128=20000000 \
+    ssd1306:128x64=10000000 ssd0323:128x64=4000000; do
+    z render heap.obj --panel "${of%=*}" --out panel.png --stats panel.json
+    look json panel.json panel_spi_hz
+    is "clock of ${of%=*}" "$seen" "${of#*=}"
+    z budget heap.obj --panel "${of%=*}"
+    grep -q " ms at $(awk "BEGIN { printf \"%.1f\", ${of#*=} / 1e6 }") MHz$" stdout || wrong "$of: $(grep ' MHz' stdout | head -1)"
+done
+
 begin glass_that_is_inverted_or_bgr
 z render heap.obj --out frame.png --size 240x240 $look
 for options in '--invert' '--bgr' '--invert --bgr'; do
