@@ -58,7 +58,8 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
     (void)fprintf(f,
                   "%s%" PRIu32 " triangles, %" PRIu32 " vertices, %" PRIu32 " cluster%s, %" PRIu32 " mesh%s, %" PRIu32
                   " material%s\n",
-                  lead, p->n_tris, p->n_verts, n_clusters, n_clusters == 1 ? "" : "s", p->n_pieces, p->n_pieces == 1 ? "" : "es", p->n_paints,
+                  lead, p->n_tris, p->n_verts, n_clusters, n_clusters == 1 ? "" : "s", p->n_pieces,
+                  p->n_pieces == 1 ? "" : "es", p->n_paints,
                   p->n_paints == 1 ? "" : "s");
     if (c->model.lost_materials != NULL) {
         (void)fprintf(f, "%smaterial file ", lead);

@@ -40,7 +40,8 @@ for of in st7789:240x240=62500000 gc9a01:240x240=62500000 ili9341:240x320=100000
     look json panel.json panel_spi_hz
     is "clock of ${of%=*}" "$seen" "${of#*=}"
     z budget heap.obj --panel "${of%=*}"
-    grep -q " ms at $(awk "BEGIN { printf \"%.1f\", ${of#*=} / 1e6 }") MHz$" stdout || wrong "$of: $(grep ' MHz' stdout | head -1)"
+    mhz=$(awk "BEGIN { printf \"%.1f\", ${of#*=} / 1e6 }")
+    grep -q " ms at $mhz MHz$" stdout || wrong "$of: $(grep ' MHz' stdout | head -1)"
 done
 
 begin glass_that_is_inverted_or_bgr

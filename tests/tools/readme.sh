@@ -21,7 +21,8 @@ out=$(mkdir -p "$1/test/readme" && cd "$1/test/readme" && pwd)
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 . tests/lib/positional.sh
 designated_headers "$out/headers" "$top"
-find . \( -name README.md -o -name CONTRIBUTING.md \) -not -path './.git/*' -not -path '*/build/*' | sed 's/^..//' | sort >"$out/readmes"
+find . \( -name README.md -o -name CONTRIBUTING.md \) -not -path './.git/*' -not -path '*/build/*' | sed 's/^..//' |
+    sort >"$out/readmes"
 if command -v ccache >/dev/null; then
     REAL_GCC=$(PATH=$(echo "$PATH" | tr ':' '\n' | grep -v ccache | paste -sd :) && command -v gcc) # not ccache itself
     mkdir -p "$out/bin"
