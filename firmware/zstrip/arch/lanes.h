@@ -29,17 +29,11 @@ struct zs_lanes {
 };
 _Static_assert(sizeof(struct zs_lanes) == 64, "as SIO has them");
 
-/* Declare `name`, the two interpolators. */
-#define ZS_LANES(name)                                                                             \
-    struct zs_lanes *const name = (struct zs_lanes *)(uintptr_t)0xd0000080u /* SIO */
-
 #else
 
 struct zs_lanes {
     uint32_t accum[2], base[3], ctrl[2];
 };
-
-#define ZS_LANES(name) struct zs_lanes name[2]
 
 static inline uint32_t zs_lanes_field(uint32_t accum, uint32_t ctrl)
 {
@@ -58,5 +52,13 @@ static inline uint32_t zs_lanes_pop(struct zs_lanes *lanes)
 }
 
 #endif
+
+/* What the lanes do for a triangle: 0 and 1 of the first interpolator, 0 and 1 of the second. */
+struct zs_lanes_set {
+    uint32_t ctrl[4];        /* ZS_LANES_FIELD */
+    uint32_t base;           /* added to the first interpolator's result */
+    const uint16_t *palette;
+    const void *texel; /* for the twin, whose bases are no addresses */
+};
 
 #endif

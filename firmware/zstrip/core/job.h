@@ -6,6 +6,7 @@
 #ifndef ZS_JOB_H
 #define ZS_JOB_H
 
+#include "arch/lanes.h"
 #include "core/fast.h"
 #include "core/fx.h"
 #include "zstrip.h"
@@ -98,6 +99,25 @@ struct zs_sampler {
     uint32_t least_w; /* a group of pixels is affine if w at its ends is at least this */
 };
 
+#if ZS_SET_UP
+/* What a texture is to a triangle. */
+struct zs_texture_set {
+    uint32_t log2[2]; /* of width and height, at least ZS_TEXTURE_FLOOR_LOG2 */
+    uint32_t uv_bits, later; /* later: 31 - uv_bits */
+    uint32_t bias[2]; /* 2^-ZS_TEXTURE_BIAS_LOG2 texels, 2^-32 repeats */
+    uint32_t lit;     /* 1: light is the third value */
+};
+#endif
+#if ZS_SET_UP && ZS_RP2040
+/* What fast/texture_lanes.c keeps from one triangle of an instance to the next. */
+struct zs_kept {
+    uint32_t of; /* the instance's number; ZS_NIL: none */
+    struct zs_texture_set set;
+    struct zs_lanes_set lanes;
+    struct zs_plane light; /* of the triangle, as lanes have it */
+};
+#endif
+
 /* The job lives only while its triangle is drawn in one strip. The fields that scanlines, spans and
  * set-up need come first: a Cortex-M0 reaches 124 bytes behind a pointer at no extra cost. */
 struct zs_job {
@@ -143,6 +163,10 @@ struct zs_job {
     struct zs_cut cut[ZS_CUT_ROWS];
     struct zs_plane64 w64; /* if keys are not linear on the screen: 1/z ... */
     int32_t w64_scale;     /* ... and its scale */
+#if ZS_SET_UP && ZS_RP2040
+    const struct zs_tri *chain; /* all triangles, where fast->draw may go on to the next; or NULL */
+    struct zs_kept kept;
+#endif
 };
 
 #endif

@@ -100,7 +100,26 @@ static inline void fast_target(struct zs_job *job, const struct zs_renderer *r)
     job->key_slow = r->view.key_slow;
     job->key_known = r->view.key_known;
     job->set_up = job->depth && job->piece_shift ? set_up_of(r) : 0;
+#if ZS_RP2040
+    job->kept.of = ZS_NIL;
+#endif
 }
+
+#if ZS_RP2040
+#define fast_chain(job, all) ((void)((job)->chain = (all)))
+/* Return job->tri, to which fast->draw has gone on from t; *list: its number. */
+static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tri *t,
+                                          uint16_t *list)
+{
+    if (job->tri == t)
+        return t;
+    *list = (uint16_t)(job->tri - job->r->tri);
+    return job->r->tri + *list;
+}
+#else
+#define fast_chain(job, all) ((void)0)
+#define fast_reached(job, t, list) (t)
+#endif
 
 /* In place of job_setup and key_plane. Return ZS_SET_UP_NOT if it is not done. */
 static inline enum zs_set_up fast_setup(struct zs_job *job)
@@ -121,6 +140,8 @@ static inline int fast_start(struct zs_job *job)
 }
 #else
 #define fast_target(job, r) ((void)(job))
+#define fast_chain(job, all) ((void)0)
+#define fast_reached(job, t, list) (t)
 #define fast_setup(job) ((void)(job), ZS_SET_UP_NOT)
 #define fast_start(job) ((void)(job), 0)
 #endif
@@ -328,6 +349,7 @@ void zs_raster_strip(struct zs_renderer *r)
     job_begin(&job, r);
     struct sight sight = sight_of(r);
     const int asked = sight.beside || sight.seen != UINT32_MAX;
+    fast_chain(&job, asked ? 0 : r->tri);
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         job.tri = t;
@@ -354,6 +376,7 @@ void zs_raster_strip(struct zs_renderer *r)
                     draw(&job, done || key_plane(&job));
             }
         }
+        t = fast_reached(&job, t, &list);
         if (goes_on && job.row_last > job.y1) {
             *keep = list;
             keep = &t->next;

@@ -285,26 +285,32 @@ static void divided(struct zs_job *job, const struct zs_row *row, int32_t i, int
 
 #if ZS_SET_UP
 
+void zs_texture_set_of(const struct zs_job *job, struct zs_texture_set *set)
+{
+    const struct zs_texture *t = job->texture;
+    const uint32_t log2_w = t->log2_w, log2_h = t->log2_h;
+    const uint32_t bias = 1u << (32u - ZS_TEXTURE_BIAS_LOG2);
+    set->log2[0] = zs_maxu32(log2_w, ZS_TEXTURE_FLOOR_LOG2);
+    set->log2[1] = zs_maxu32(log2_h, ZS_TEXTURE_FLOOR_LOG2);
+    set->uv_bits = zs_instance_of(job->r, job->tri->instance)->mesh->uv_bits;
+    set->later = 31u - set->uv_bits;
+    set->bias[0] = bias >> log2_w;
+    set->bias[1] = bias >> log2_h;
+    set->lit = job->shader->n_varyings == 3;
+}
+
 /* zs_fast.start, of triangles that are affine. */
 static int texture_start(struct zs_job *job)
 {
-    const struct zs_shader *shader = job->shader;
     const struct zs_texture *t = job->texture;
-    const uint32_t log2_w = t->log2_w, log2_h = t->log2_h,
-                   uv_bits = zs_instance_of(job->r, job->tri->instance)->mesh->uv_bits;
-    const uint32_t bias = 1u << (32u - ZS_TEXTURE_BIAS_LOG2);
-    const struct zs_texture_set set = {
-        { zs_maxu32(log2_w, ZS_TEXTURE_FLOOR_LOG2), zs_maxu32(log2_h, ZS_TEXTURE_FLOOR_LOG2) },
-        uv_bits,
-        31u - uv_bits,
-        { bias >> log2_w, bias >> log2_h },
-        shader->n_varyings == 3
-    };
-    if (t->clamp || !log2_w || !log2_h || !zs_set_up_texture(job, &set))
+    struct zs_texture_set set;
+    zs_texture_set_of(job, &set);
+    if (t->clamp || !t->log2_w || !t->log2_h || !zs_set_up_texture(job, &set))
         return 0;
     job->sampler.wide = 0;
     job->sampler.direct = 1;
-    job->sampler.unlit = !shader->light || (!set.lit && job->tri->paint == ZS_TEXTURE_FULL_LIGHT);
+    job->sampler.unlit = !job->shader->light ||
+                         (!set.lit && job->tri->paint == ZS_TEXTURE_FULL_LIGHT);
     job->sampler.texture = !job->sampler.unlit && job->fast->lit ? job->fast->lit(job, t) : t;
     return 1;
 }
@@ -327,9 +333,10 @@ static int texture_rows(struct zs_job *job)
     return 1;
 }
 
+#define BY_LANES (ZS_LANES_USED && ZS_SET_UP ? zs_lanes_texture_draw : 0)
 #define TEXTURE(shader_, draw_, lit_)                                                              \
     {                                                                                              \
-        START .shader = shader_, .draw = ZS_DIVIDES ? draw_ : 0, .rows = texture_rows,             \
+        START .shader = shader_, .draw = ZS_DIVIDES ? draw_ : BY_LANES, .rows = texture_rows,      \
         .span = zs_fast_less, .lit = lit_, .divided = divided                                      \
     }
 

@@ -15,14 +15,6 @@
 /* 1: accelerators draw with the lanes. The assembler counts no written pixels. */
 #define ZS_LANES_USED (ZS_RP2040 && !ZS_STATS)
 
-/* What the lanes do for a triangle: 0 and 1 of the first interpolator, 0 and 1 of the second. */
-struct zs_lanes_set {
-    uint32_t ctrl[4];        /* ZS_LANES_FIELD */
-    uint32_t base;           /* added to the first interpolator's result */
-    const uint16_t *palette;
-    const void *texel; /* for the twin, whose bases are no addresses */
-};
-
 /* A lane's result is its accumulator shifted right, bits [least, most]. */
 #define ZS_LANES_FIELD(shift, least, most) ((shift) | (least) << 5 | (most) << 10 | 1u << 18)
 
@@ -208,8 +200,9 @@ ZS_ALWAYS_INLINE void zs_lanes_draw(struct zs_job *job, const struct zs_lanes_se
 /* zs_fast.rows of an affine triangle whose keys do not saturate. Textures repeat; 0: declined. */
 void zs_lanes_smooth_rows(struct zs_job *job);
 int zs_lanes_texture_rows(struct zs_job *job);
-/* zs_fast.draw of small triangles with smooth colours, on an RP2040. */
+/* zs_fast.draw of small triangles with smooth colours, and of textured ones, on an RP2040. */
 int zs_lanes_smooth_draw(struct zs_job *job);
+int zs_lanes_texture_draw(struct zs_job *job);
 /* zs_fast.span of smooth colours, on an RP2040. */
 void zs_lanes_smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                           uint32_t sum, uint32_t step);

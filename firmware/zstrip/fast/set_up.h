@@ -12,13 +12,8 @@
 enum zs_set_up zs_set_up(struct zs_job *job);
 /* zs_fast.start of smooth colours */
 int zs_set_up_smooth(struct zs_job *job);
-/* What a texture is to a triangle. */
-struct zs_texture_set {
-    uint32_t log2[2]; /* of width and height, at least ZS_TEXTURE_FLOOR_LOG2 */
-    uint32_t uv_bits, later; /* later: 31 - uv_bits */
-    uint32_t bias[2]; /* 2^-ZS_TEXTURE_BIAS_LOG2 texels, 2^-32 repeats */
-    uint32_t lit;     /* 1: light is the third value */
-};
+/* Set what job->texture is to triangles of job->tri's instance. */
+void zs_texture_set_of(const struct zs_job *job, struct zs_texture_set *set);
 /* Compute the planes of an affine triangle whose texture repeats, and of its light. 0: declined. */
 int zs_set_up_texture(struct zs_job *job, const struct zs_texture_set *set);
 #define ZS_SET_UP_HOOK .set_up = zs_set_up,

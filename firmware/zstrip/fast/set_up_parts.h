@@ -10,7 +10,13 @@
 /* Parts of set-up, for code in assembler: r0 a job, r0 the result as of the function without _part.
  * All other registers change. */
 void zs_set_up_part(void);
+/* zs_set_up_part and zs_set_up_cuts_part, on an RP2040; r3, r4: the first cut with a pixel, one
+ * beyond the last. ZS_SET_UP_EMPTY: there is none. */
+void zs_set_up_rows_part(void);
+#define ZS_SET_UP_EMPTY (ZS_SET_UP_ROWS + 1)
 void zs_set_up_smooth_part(void);
+void zs_set_up_texture_part(void); /* r1: the set */
+void zs_set_up_coarse_part(void); /* the same for colours that are affine, without weights */
 void zs_set_up_cuts_part(void); /* of zs_fast_edges, on an RP2040: the rows from r1 on */
 
 /* What such code saves and restores. */
@@ -89,7 +95,7 @@ void zs_set_up_cuts_part(void); /* of zs_fast_edges, on an RP2040: the rows from
 
 /* Colours of the job r0: differences to the stack at at0, at1, at2, and four weights to r2 .. r5
  * (y2, y1, x2, x1); r9: down, r11: the job, r12: the first vertex's colours. Leads to 7f, with 0 in
- * r0, where they are not affine by the sufficient test, or weights are too coarse. */
+ * r0 where they are not affine by the sufficient test, with -1 where weights are too coarse. */
 #define ZS_WEIGHTS(at0, at1, at2)                                                                  \
     VALUES "mov r12, r2\n\tmovs r1, #0\n\t"                                                        \
     RANGE(0, at0) MOST RANGE(1, at1) MOST RANGE(2, at2) MOST                                       \
@@ -108,14 +114,14 @@ void zs_set_up_cuts_part(void); /* of zs_fast_edges, on an RP2040: the rows from
     "asrs r6, r2, #31\n\teors r6, r2\n\tasrs r0, r3, #31\n\teors r0, r3\n\t"                       \
     "orrs r6, r0\n\torrs r6, r4\n\torrs r6, r5\n\tlsrs r0, r6, #8\n\tbne 1f\n\t"                   \
     "ldrb r0, [r7, r6]\n\tadds r0, #7\n\tb 2f\n"                                                   \
-    "9:\n\tmovs r0, #0\n\tb 7f\n\t"                                                                \
+    "4:\n\tmovs r0, #0\n\tmvns r0, r0\n\tb 7f\n9:\n\tmovs r0, #0\n\tb 7f\n\t"                      \
     ".align 2\n"                                                                                   \
     "8:\n\t.word zs_clz8\n"                                                                        \
     "1:\n\tldrb r0, [r7, r0]\n\tsubs r0, #1\n"                                                     \
     /* rcp: r6, down: r7 */                                                                        \
     "2:\n\tmov r7, r11\n\tadds r7, %[rcp]\n\tldr r6, [r7]\n\tldr r7, [r7, #4]\n\t"                 \
-    "adds r7, r0\n\tadds r7, #31\n\tsubs r7, r1\n\tcmp r7, #5\n\tblt 9b\n\tmov r9, r7\n\t"         \
-    "adds r7, r0\n\tadds r7, #3\n\tcmp r1, r7\n\tbgt 9b\n\t"                                       \
+    "adds r7, r0\n\tadds r7, #31\n\tsubs r7, r1\n\tcmp r7, #5\n\tblt 4b\n\tmov r9, r7\n\t"         \
+    "adds r7, r0\n\tadds r7, #3\n\tcmp r1, r7\n\tbgt 4b\n\t"                                       \
     "lsrs r6, #16\n\tmovs r7, #1\n\tlsls r7, r1\n\tlsrs r7, #1\n\t"                                \
     WEIGHT(r2) WEIGHT(r3) WEIGHT(r4) WEIGHT(r5)
 /* Of colour c, whose differences are on the stack at `at`, by weights on the stack from `w` on: gx
@@ -140,5 +146,15 @@ void zs_set_up_cuts_part(void); /* of zs_fast_edges, on an RP2040: the rows from
         [n] "i"(offsetof(struct zs_renderer, config.varyings)), [v] "i"(AT(v)),                    \
         [slow] "i"(AT(key_slow) - AT(v) - 12), [bound] "i"(ZS_SPAN_BOUND_LOG2 + 4),                \
         [geom] "i"(AT(geom)), [rcp] "i"(AT(geom.rcp))
+
+/* Behind a triangle that is drawn: r4 the job. Leads to `next` where the next one in the list is of
+ * the same instance, and job->tri is that one. at: where the offset of job->chain is. */
+#define ZS_CHAIN(at, next)                                                                         \
+    "ldr r0, [r4, %[last]]\n\tldr r1, [r4, %[y1]]\n\tcmp r0, r1\n\tbgt 1f\n\t"                     \
+    "ldr r0, " at "\n\tldr r1, [r4, r0]\n\tcmp r1, #0\n\tbeq 1f\n\t"                               \
+    "ldr r2, [r4, %[tri]]\n\tldrh r3, [r2, #6]\n\tldrh r5, [r2, #10]\n\tadds r0, r3, #1\n\t"       \
+    "lsrs r0, #16\n\tbne 1f\n\tmovs r0, #12\n\tmuls r3, r0\n\tadds r3, r1\n\t"                     \
+    "ldrh r0, [r3, #10]\n\tcmp r0, r5\n\tbne 1f\n\tstr r3, [r4, %[tri]]\n\tb " next "\n1:\n\t"
+#define ZS_CHAIN_OF [last] "i"(AT(row_last)), [y1] "i"(AT(y1)), [tri] "i"(AT(tri))
 
 #endif

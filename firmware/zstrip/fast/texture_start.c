@@ -65,12 +65,11 @@ _Static_assert(ZS_SPAN_BOUND_LOG2 == 2 && ZS_PLANE_WIDE == 2 && AT(geom.exp) == 
 /* Differences of light, uq1_31. */
 #define LIGHT "ldr r3, [sp, #24]\n\tlsls r3, #15\n\tldr r4, [sp, #28]\n\tlsls r4, #15\n\t"
 
-ZS_NAKED int zs_set_up_texture(struct zs_job *job __attribute__((unused)),
-                               const struct zs_texture_set *set __attribute__((unused)))
+ZS_NAKED void zs_set_up_texture_part(void)
 {
     __asm__ volatile(
         ".syntax unified\n\t"
-        "push {r4, r5, r6, r7, lr}\n\tsub sp, #36\n\tstr r1, [sp, #4]\n\t"
+        "push {lr}\n\tsub sp, #36\n\tstr r1, [sp, #4]\n\t"
         VALUES "str r2, [sp]\n\tldr r1, [sp, #4]\n\t"
         RANGE(0, 8) "lsrs r5, r7, #14\n\tbne 6f\n\t" SPAN("%[log2]") "mov r12, r7\n\t"
         RANGE(1, 16) "lsrs r5, r7, #14\n\tbne 6f\n\t" SPAN("%[log2] + 4")
@@ -81,7 +80,7 @@ ZS_NAKED int zs_set_up_texture(struct zs_job *job __attribute__((unused)),
         "movs r7, r0\n\tadds r7, %[rcp]\n\tldmia r7!, {r4, r5, r6}\n\tcmp r6, #0\n\tbeq 9f\n\t"
         "adds r2, r5, r3\n\tadds r2, #23\n\tsubs r5, r2, #1\n\tcmp r5, #30\n\tbhi 9f\n\t"
         "uxth r5, r4\n\tmov r12, r5\n\tlsrs r4, #16\n\tmov lr, r4\n\tb 4f\n"
-        "9:\n\tmovs r0, #0\n\tadd sp, #36\n\tpop {r4, r5, r6, r7, pc}\n"
+        "9:\n\tmovs r0, #0\n\tadd sp, #36\n\tpop {pc}\n"
         "4:\n\t" PLANE(0, 8, 12, "%[bias]") PLANE(1, 16, 20, "%[bias] + 4")
         "ldr r1, [sp, #4]\n\tldr r1, [r1, %[lit]]\n\tcmp r1, #0\n\tbne 1f\n\tb 7f\n"
         "1:\n\tmovs r7, r0\n\tadds r7, %[rcp]\n\tldr r7, [r7, #4]\n\trsbs r7, r7, #0\n\t"
@@ -94,7 +93,7 @@ ZS_NAKED int zs_set_up_texture(struct zs_job *job __attribute__((unused)),
         "ldr r2, [sp]\n\tldrh r2, [r2, #4]\n\tlsls r2, #15\n\tadds r1, r2\n\t"
         "movs r3, r0\n\tadds r3, %[c] + 24\n\tstmia r3!, {r1, r4, r5}\n"
         "7:\n\tmovs r1, %[affine]\n\tmovs r2, %[sub]\n\tstr r1, [r0, r2]\n\tmovs r0, #1\n\t"
-        "add sp, #36\n\tpop {r4, r5, r6, r7, pc}\n\t"
+        "add sp, #36\n\tpop {pc}\n\t"
         ".align 2\n8:\n\t.word zs_clz8\n"
         :
         : [r] "i"(AT(r)), [tri] "i"(AT(tri)), [attr] "i"(offsetof(struct zs_renderer, attr)),
@@ -103,6 +102,13 @@ ZS_NAKED int zs_set_up_texture(struct zs_job *job __attribute__((unused)),
           [ia] "i"(AT(geom.ia)), [c] "i"(AT(c)), [affine] "i"(ZS_AFFINE), [sub] "i"(AT(sub_log2)),
           [log2] "i"(OF(log2)), [bits] "i"(OF(uv_bits)), [later] "i"(OF(later)),
           [bias] "i"(OF(bias)), [lit] "i"(OF(lit)));
+}
+
+ZS_NAKED int zs_set_up_texture(struct zs_job *job __attribute__((unused)),
+                               const struct zs_texture_set *set __attribute__((unused)))
+{
+    __asm__ volatile(".syntax unified\n\tpush {r4, r5, r6, r7, lr}\n\tbl zs_set_up_texture_part\n\t"
+                     "pop {r4, r5, r6, r7, pc}");
 }
 
 #endif
