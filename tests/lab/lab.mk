@@ -95,10 +95,13 @@ methods: $(B)/.setup-test $(B)/gen/meshes.h
 methods-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B) record >$(B)/methods.txt && mv $(B)/methods.txt tests/records/methods.txt
 ## methods-worlds: every method against the depth buffer on 10,000 random worlds; methods-worlds-record: as the report
-methods-worlds methods-worlds-record: $(B)/.setup-test
-	+@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' $(B)/quick/test/test_methods
-	@sh tests/lab/worlds.sh $(B)/quick \
-	    $(if $(findstring record,$@),>$(B)/worlds.txt && mv $(B)/worlds.txt tests/records/WORLDS.txt)
+## methods-lines: hidden lines against exact visible segments, 1,000 views of four models; methods-lines-record: ditto
+methods-worlds methods-worlds-record methods-lines methods-lines-record: $(B)/.setup-test
+	+@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' \
+	    $(B)/quick/test/$(if $(findstring lines,$@),test_hidden_lines,test_methods)
+	@sh tests/lab/worlds.sh $(B)/quick $(if $(findstring lines,$@),lines,worlds) \
+	    $(if $(findstring record,$@),>$(B)/$@.txt && \
+	        mv $(B)/$@.txt tests/records/$(if $(findstring lines,$@),LINES,WORLDS).txt)
 ## effects: what a pixel takes by each effect and overlay, on Cortex-M0 and M3; effects-record: as the record
 effects: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/effects.sh $(B)
@@ -141,6 +144,7 @@ records-age:
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record strangers \
         accelerators accelerators-record \
         stopwatch scale costs costs-record still cull methods methods-record methods-worlds methods-worlds-record \
+        methods-lines methods-lines-record \
         effects effects-record gallery depth hiz accuracy fuzz-programs lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
