@@ -26,9 +26,9 @@ if [ "$2" = worlds ]; then
 else
     ZS_VIEWS=${3:-1000} "$1/test/test_hidden_lines" >"$log" 2>&1
     status=$?
-    echo "Hidden lines against the visible parts of edges in doubles (make methods-lines), 240x240 px. Visible points with"
-    echo "no pixel within one of them; pixels with no visible point within one, and whose own line has none. Of the"
-    echo "teapot, whose parts pierce each other, 1 pixel of 2,000 may be hidden"
+    echo "Hidden lines against the visible parts of edges in doubles (make methods-lines), 240x240 px. Visible points"
+    echo "with no pixel within one of them; pixels with no visible point within one, and whose own line has none. Of"
+    echo "the teapot, whose parts pierce each other, 1 pixel of 2,000 may be hidden"
     sed -n '/ views: /p' "$log"
 fi
 [ "$status" -eq 0 ] || { echo "FAILED:"; cat "$log"; }
