@@ -1228,6 +1228,11 @@ MAKE(vertex_rgb_flat, w->cube.vertex_rgb = grey)
 static const uint16_t side_beyond[4][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 8 } };
 MAKE(line_beyond, const struct zs_lines lines = { ZS_LINES(side_beyond, 4), .width = 2 }; w->lines = lines)
 
+static const struct zs_depth_state no_keys = { .read_only = 1 };
+MAKE(near_reads_only, const struct zs_instance near_one = w->instance[0]; w->instance[1].pose.pos[2] = -9000;
+     w->instance[0] = near_one; w->instance[0].depth_state = &no_keys)
+MAKE(far_reads_only, near_first(w); w->instance[0].pose.pos[2] = -9000; w->instance[0].depth_state = &no_keys)
+
 #define HOLE "its back is seen, which is not drawn: it has a hole"
 #define ROWS_ARE(n) I0 ": the rows of its texture look " n " texels long, and log2_w is "
 #define COLORS I0 ": its shader does not read the colours of its mesh"
@@ -1242,6 +1247,8 @@ static const struct mistake sizes[] = {
     { "far in it, orthographic", with_orthographic, far_in_it, 0, "far = 5200 cuts instance 0" },
     { "no depth memory, concave", world_torus, without_depth, 0, I0 " is not convex, and there is no depth memory" },
     { "no depth memory, both sides", NULL, both_sides_without_depth, 0, I0 " is not convex, and there is no" },
+    { "read_only, and nearer", world_two, near_reads_only, 0,
+      "instance 1 is behind instance 0, whose depth_state is read_only, and drawn over it: list it before.\n" },
     { "ZS_CULL_FRONT", NULL, front_culled, 0, I0 ": material.cull is ZS_CULL_FRONT: its far side is seen from inside" },
     { "height in units", with_orthographic, height_in_units, ZS_ERR_RANGE,
       I0 " is refused: the camera's height is 0.076, too small for it: was 5000 * 65536 meant?\n" },
@@ -1516,9 +1523,17 @@ static void telescope(struct world *w)
     assert_int_equal(zs_camera_orbit(&w->camera, middle, 120000, ZS_DEGREES(10), ZS_DEGREES(20)), ZS_OK);
 }
 
+/* A backdrop: drawn first, without keys. */
+static void backdrop(struct world *w)
+{
+    world_two(w);
+    far_reads_only(w);
+}
+
 static void unusual_is_right(void **state)
 {
-    static void (*const change[])(struct world *) = { light_unused,
+    static void (*const change[])(struct world *) = { backdrop,
+                                                      light_unused,
                                                       normals_of_half,
                                                       turned_by_both,
                                                       a_grain,

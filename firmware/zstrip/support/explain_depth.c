@@ -119,24 +119,30 @@ static int behind(const struct zs_explainer *e, uint32_t i, uint32_t k)
 }
 
 /* One that lies behind another, and is drawn after it: without depth memory, or behind a
- * transparent one, which writes no keys. */
+ * transparent one, or one that is read-only, which write no keys. */
 static void say_order(struct zs_explainer *e)
 {
     const uint32_t n = zs_minu32(e->scene->n_instances, ORDER_MAX);
     for (uint32_t i = 0; i < n; i++)
         for (uint32_t k = i + 1; k < n; k++) {
             const struct zs_instance *const in = e->scene->instance;
-            if (e->r->depth && (!in[i].material->shader->layer || in[k].material->shader->layer))
+            const struct zs_depth_state *const state = in[i].depth_state;
+            const int layer = in[i].material->shader->layer;
+            if (e->r->depth &&
+                ((!layer && !(state && state->read_only)) || in[k].material->shader->layer))
                 continue;
             if (!behind(e, i, k))
                 continue;
             ZS_SAY(e,
-                   e->r->depth ? "instance % is behind instance %, which is transparent, and drawn "
-                                 "over it: list transparent ones last, or take "
-                                 "zs_method_transparent."
-                               : "instance % is behind instance % and drawn over it: without depth "
-                                 "memory, list far ones first, or take ZS_RENDERER and "
-                                 "zs_depth_float.",
+                   e->r->depth && layer
+                       ? "instance % is behind instance %, which is transparent, and drawn over "
+                         "it: list transparent ones last, or take zs_method_transparent."
+                   : e->r->depth
+                       ? "instance % is behind instance %, whose depth_state is read_only, and "
+                         "drawn over it: list it before."
+                       : "instance % is behind instance % and drawn over it: without depth "
+                         "memory, list far ones first, or take ZS_RENDERER and "
+                         "zs_depth_float.",
                    k, i);
             return;
         }
