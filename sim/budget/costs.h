@@ -129,8 +129,9 @@
     X(span_sorted, "method", "depth sort: row of a triangle")                                                   \
     X(span_covered, "method", "coverage: row of a triangle")                                                    \
     X(run_covered, "method", "coverage: run of its pixels that are drawn")                                      \
-    X(word_covered, "method", "coverage: 32 pixels of it, drawn or not")                                           \
+    X(word_covered, "method", "coverage: 32 pixels of it, of which some are drawn")                              \
     X(tile_triangle, "method", "hiz: triangle looked up in the tiles")                                          \
+    X(tile_row, "method", "hiz: row of a tile, looked at as the strip is cleared")                              \
     X(span_tiles, "method", "hiz: row of a triangle")                                                           \
     X(tile, "method", "hiz: piece of a row compared with a tile")                                               \
     X(px_tile_hidden, "method", "hiz: pixel that a tile hides")                                                 \
@@ -138,9 +139,10 @@
     X(ray, "method", "ray")                                                                                     \
     X(ray_box, "method", "box that a ray is tested against")                                                    \
     X(ray_tri, "method", "triangle in whose box on the screen a ray is")                                        \
-    X(ray_edges, "method", "more where the ray is tested against its edges")                                    \
+    X(ray_side, "method", "edge of a triangle that a ray is tested against")                                         \
     X(ray_plane, "method", "plane of a triangle's keys found for a ray")                                        \
     X(ray_curved, "method", "key found where a triangle's keys are not linear")                                 \
+    X(ray_piece, "method", "piece of its row, looked at for that")                                              \
     X(span_ray, "method", "row of a triangle, coloured where rays hit it")                                      \
     X(px_ray, "method", "pixel of it looked at")                                                                \
     SIM_EFFECT_COSTS(X)

@@ -6,6 +6,7 @@
 
 #include "core/job.h"
 #include "costs_look.h"
+#include "method/hiz.h"
 #include "method/order.h"
 #include "method/raycast.h"
 #include "zs_method.h"
@@ -23,6 +24,21 @@ static int is_order(void)
 int sim_look_is_hiz(void)
 {
     return sim_look_is(&zs_method_hiz) || sim_look_is(&zs_method_hiz_corner) || sim_look_is(&zs_method_hiz_vertex);
+}
+
+/* Words of a row of coverage's bits, of columns [i0, i1), where pixels are to be drawn: others cost next to nothing. */
+static void count_words(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1)
+{
+    const struct zs_order *o = job->r->method_state;
+    if (!o->bits || !zs_order_clip(job, row->y, &i0, &i1))
+        return;
+    const uint32_t *const bits = o->bits + (row->y - o->y0) * o->words;
+    const int32_t end = i1 - o->x0;
+    for (int32_t at = i0 - o->x0; at < end; at = (at | 31) + 1) {
+        const uint32_t left = ~bits[at >> 5] >> (at & 31);
+        const int32_t n = end - at < 32 - (at & 31) ? end - at : 32 - (at & 31);
+        sim_now.n[SIM_COST_word_covered] += (left & UINT32_MAX >> (32 - n)) != 0;
+    }
 }
 
 /* A row of a triangle, or a piece of one, before the method has chosen pixels of it. */
@@ -45,7 +61,7 @@ static void on_method_span(struct zs_job *job, const struct zs_row *row, int32_t
         const int near_first = sim_look_is(&zs_method_coverage);
         sim_now.n[near_first ? SIM_COST_span_covered : SIM_COST_span_sorted]++;
         if (near_first)
-            sim_now.n[SIM_COST_word_covered] += ((i1 - 1) >> 5) - (i0 >> 5) + 1;
+            count_words(job, row, i0, i1);
     }
     sim_now.method_span(job, row, i0, i1, sum, gx);
 }
@@ -71,10 +87,17 @@ static void count_state(struct zs_renderer *r)
         o->pair_boxes = o->pair_rows = 0;
     } else if (sim_look_is(&zs_method_raycast)) {
         struct zs_rays *s = r->method_state;
-        sim_now.n[SIM_COST_ray_box] += s->boxes;
-        sim_now.n[SIM_COST_ray_tri] += s->boxed;
-        sim_now.n[SIM_COST_ray_edges] += s->edges;
-        s->boxes = s->boxed = s->edges = 0;
+        const struct zs_ray_counts *const c = &s->counted;
+        sim_now.n[SIM_COST_ray_box] += c->boxes;
+        sim_now.n[SIM_COST_ray_tri] += c->boxed;
+        sim_now.n[SIM_COST_ray_side] += c->sides;
+        sim_now.n[SIM_COST_ray_plane] += c->aims;
+        sim_now.n[SIM_COST_plane_wide] += c->wide;
+        sim_now.n[SIM_COST_ray_piece] += c->pieces;
+        s->counted = (struct zs_ray_counts){ 0 };
+    } else if (sim_look_is_hiz()) {
+        const struct zs_hiz *h = r->method_state;
+        sim_now.n[SIM_COST_tile_row] += h->rows * h->columns[0];
     }
 }
 
@@ -92,12 +115,6 @@ static uint16_t on_method_list(struct zs_renderer *r)
 }
 
 /* Of the depth mapping, for rays and for triangles that they have hit. */
-static int on_ray_planes(struct zs_job *job)
-{
-    sim_now.n[SIM_COST_ray_plane]++;
-    return sim_now.of->planes(job);
-}
-
 static void on_ray_row(struct zs_job *job, const struct zs_row *row)
 {
     sim_now.n[SIM_COST_ray_curved]++;
@@ -115,7 +132,7 @@ void sim_look_method(struct zs_config *config)
     config->method = &sim_now.method;
     if (sim_look_is_hiz()) /* set-ups are found by on_planes */
         return;
-    sim_now.depth.planes = sim_now.of->planes ? on_ray_planes : NULL;
+    sim_now.depth.planes = sim_now.of->planes;
     if (sim_now.of->row)
         sim_now.depth.row = on_ray_row;
 }

@@ -82,9 +82,9 @@ quick)
     off=$(sed -n 's/^\([^ ]*\) .* scenes, none.* at most \([-+0-9.]*\) %.*/\1 \2 %/p' "$out/error.txt" |
         tr '\n' ',' | sed 's/,$//; s/,/, /g')
     none "no scene's estimate is 15 % off: $off at most" "$reason"
-    "$top/zlab" costs --error "$methods" --bar 40 >"$out/methods.txt" 2>&1 && reason='' ||
+    "$top/zlab" costs --error "$methods" --bar 20 >"$out/methods.txt" 2>&1 && reason='' ||
         reason=$(tail -1 "$out/methods.txt")
-    none "no method's estimate is 40 % off, in $(grep -c '^[MR]' "$methods") frames" "$reason"
+    none "no method's estimate is 20 % off, in $(grep -c '^[MR]' "$methods") frames" "$reason"
     stated=$(sed -n 's/^static const double stage_error.* { [^,]*, \([0-9.]*\),.*/\1/p' sim/budget/stage_costs.h)
     now=$(sed -n 's/^M3 .* scenes, none.* at most [-+]*\([0-9.]*\) %.*/\1/p' "$out/error.txt")
     none "the error that zsim budget states on Cortex-M3, $stated %" \

@@ -166,7 +166,7 @@ static void ray_strip(struct zs_renderer *r)
     s.x_end = r->window[1];
     s.y_end = r->strip * r->config.strip_h;
 #if ZS_STATS
-    s.boxes = s.boxed = s.edges = 0;
+    s.counted = (struct zs_ray_counts){ 0 };
 #endif
     for (int again = 0; region_next(r, &s); again = 1) {
         if (again || r->strip >= r->band_end)

@@ -41,9 +41,14 @@ struct zs_rays {
     int32_t column; /* for keys that are not linear: a pixel's column, and its key */
     uint32_t sum;
 #if ZS_STATS
-    uint32_t boxes, boxed, edges; /* counted, and cleared by who reads them: boxes that rays were
-                       tested against; triangles in whose box a ray is; of these, those whose edges
-                       it was tested against */
+    /* counted, and cleared by who reads them: */
+    struct zs_ray_counts {
+        uint32_t boxes; /* that rays were tested against */
+        uint32_t boxed; /* triangles in whose box a ray is */
+        uint32_t sides; /* edges that it was tested against */
+        uint32_t aims, wide, pieces; /* set-ups for a key, those of wide triangles, and pieces of
+                                        rows for keys that are not linear */
+    } counted;
 #endif
 };
 

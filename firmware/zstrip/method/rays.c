@@ -30,6 +30,13 @@
 
 #define PACKET 16 /* triangles that a packet may meet; if they are more, it is a single ray */
 
+/* Add to one of zs_ray_counts, if ZS_STATS is 1. */
+#if ZS_STATS
+#define COUNT(r, what, n) (((struct zs_rays *)(r)->method_state)->counted.what += (n))
+#else
+#define COUNT(r, what, n) ((void)(r))
+#endif
+
 /* ---- Boxes ----------------------------------------------------------------------------------- */
 
 static void box_add(struct zs_ray_box *b, const struct zs_ray_box *other)
@@ -110,6 +117,7 @@ static ZS_NOINLINE int covers(const struct zs_renderer *r, const struct zs_tri *
     const struct zs_vertex *p = &r->vert[t->v[2]];
     for (int k = 0; k < 3; k++) {
         const struct zs_vertex *q = &r->vert[t->v[k]];
+        COUNT(r, sides, 1);
         const int32_t dx = q->x - p->x, dy = q->y - p->y; /* |.| < 2^22 */
         const int64_t side = zs_mul_ss(dx, at_y - p->y) - zs_mul_ss(dy, at_x - p->x); /* < 2^45 */
         if (side < 0 || (side == 0 && (dy > 0 || (dy == 0 && dx < 0))))
@@ -124,9 +132,11 @@ static ZS_NOINLINE void aim(struct zs_job *job, const struct zs_tri *t)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_depth *depth = r->view.depth;
+    COUNT(r, aims, 1);
     job->tri = t;
     zs_plane_sides(job, &r->vert[t->v[0]], &r->vert[t->v[1]], &r->vert[t->v[2]]);
     zs_plane_geom(job);
+    COUNT(r, wide, job->geom.rcp == 0);
     job->split = (uint8_t) !(r->view.screen_linear || depth->planes(job));
     if (!job->split) {
         zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
@@ -142,6 +152,7 @@ static void caught(struct zs_job *job, const struct zs_row *row, int32_t i0, int
 {
     struct zs_rays *s = job->r->method_state;
     (void)row;
+    COUNT(job->r, pieces, 1);
     if (s->column >= i0 && s->column < i1)
         s->sum = sum + zs_wrap_mul(step, s->column - i0);
 }
@@ -205,30 +216,13 @@ static ZS_NOINLINE void stated(struct zs_job *job, struct zs_ray_seen *seen, uin
         seen->key = key;
 }
 
-/* Count, if ZS_STATS is 1. */
-static inline void count(const struct zs_renderer *r, uint32_t boxes, uint32_t boxed,
-                         uint32_t edges)
-{
-#if ZS_STATS
-    struct zs_rays *s = r->method_state;
-    s->boxes += boxes;
-    s->boxed += boxed;
-    s->edges += edges;
-#else
-    (void)r;
-    (void)boxes;
-    (void)boxed;
-    (void)edges;
-#endif
-}
-
 /* A ray meets the triangle of box k, which holds the ray's sample. */
 static void meet(struct zs_job *job, const struct zs_rays *s, struct zs_ray_seen *seen, uint32_t k,
                  int32_t x, int32_t y)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_ray_box *b = &s->level[0][k];
-    count(r, 0, 1, b->near <= seen->key + 1u);
+    COUNT(r, boxed, 1);
     if (b->near > seen->key + 1u || !covers(r, &r->tri[b->tri], x, y))
         return;
     const uint32_t sum = sum_at(job, s, k, x, y);
@@ -266,7 +260,7 @@ static ZS_NOINLINE void gather(struct zs_job *job, const struct zs_rays *s, stru
     p->end = s->x_end;
     while (i < s->count[level]) {
         const struct zs_ray_box *b = &s->level[level][i];
-        count(job->r, 1, 0, 0);
+        COUNT(job->r, boxes, 1);
         if (y >= b->y0 && y < b->y1 && x < b->x1) {
             if (x < b->x0) {
                 p->end = zs_min32(p->end, b->x0);
