@@ -385,15 +385,14 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         status = check_effects(o);
     if (status == SIM_OK)
         status = check_method(o);
+    if (status == SIM_OK) /* what is wrong by itself, before what it does not go with */
+        status = sim_options_in_range(table, N_TABLE, o, seen, o->model);
     if (status == SIM_OK)
         status = take_lines(o);
     if (status == SIM_OK)
         status = check_style(o);
     if (status == SIM_OK)
         status = sim_fast_take(&o->fast, o->fast_names);
-    if (status != SIM_OK)
-        return status;
-    status = sim_options_in_range(table, N_TABLE, o, seen, o->model);
     if (status == SIM_OK)
         status = check_rest(o);
     return status == SIM_OK ? check_panel(o) : status;
