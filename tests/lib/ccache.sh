@@ -9,6 +9,6 @@ if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
         ln -sf "$ccache" "$CCACHE_DIR/bin/$compiler"
     done
     PATH=$CCACHE_DIR/bin:$PATH
-    CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1
-    export PATH CCACHE_DIR CCACHE_DEPEND CCACHE_NOHASHDIR
+    CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1 CCACHE_NOCOMPRESS=1
+    export PATH CCACHE_DIR CCACHE_DEPEND CCACHE_NOHASHDIR CCACHE_NOCOMPRESS
 fi

@@ -103,7 +103,7 @@ done
 
 # ---- Golden checksums ------------------------------------------------------------------------------------------------
 
-for program in gcc-O3 clang-O3 powerpc-Os; do
+for program in gcc-O3 clang-O3 powerpc-O2; do
     name=bare_checksum_$(echo $program | tr - _)
     case $program in powerpc-*) emulator=qemu-ppc-static nm=powerpc-linux-gnu-nm ;; *) emulator='' nm=nm ;; esac
     $emulator "$build/test/bare-$program" >"$out/$name.out" 2>&1
