@@ -193,7 +193,6 @@ $(B)/stress/oracle.o: tests/lib/oracle.c tests/lib/oracle.h
 	@$(STRESS_CC) -c $< -o $@
 STRESS = $(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c tests/lab/fuzz/effects.c \
          $(patsubst %,tests/lib/%.c,clusters fast_lists own picture) $(CORE)
-$(B)/stress/san: SAN_LESS =
 $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
 	    -lm -o $@

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Promise 7: without firmware/zstrip/fast nothing changes but time. Programs that are compiled without it draw what
-# those draw that name accelerators: golden checksums by two compilers and on big-endian PowerPC, and
+# those draw that name accelerators: golden checksums by two compilers at two levels and on big-endian PowerPC, and
 # every bench scene on Cortex-M3 and in Armv6-M code in all the bench's configurations. tests/property/scene_sums.sh has
 # the demo scenes. That it is so: no name of fast/ is in these programs, all are in the full one, and they take more
 # instructions than those on record.
@@ -103,7 +103,7 @@ done
 
 # ---- Golden checksums ------------------------------------------------------------------------------------------------
 
-for program in gcc-O3 clang-O3 powerpc-O2; do
+for program in gcc-O0 gcc-O3 clang-O0 clang-O3 powerpc-Os; do
     name=bare_checksum_$(echo $program | tr - _)
     case $program in powerpc-*) emulator=qemu-ppc-static nm=powerpc-linux-gnu-nm ;; *) emulator='' nm=nm ;; esac
     $emulator "$build/test/bare-$program" >"$out/$name.out" 2>&1

@@ -5,7 +5,8 @@
 set -u
 status=0
 for program in "$1"/test/checksum-gcc-O0 "$1"/test/checksum-gcc-O3 "$1"/test/checksum-clang-O0 \
-    "$1"/test/checksum-clang-O3 "$1"/test/checksum-powerpc-O0 "$1"/test/checksum-powerpc-O2; do
+    "$1"/test/checksum-clang-O3 "$1"/test/checksum-powerpc-O0 "$1"/test/checksum-powerpc-O2 \
+        "$1"/test/checksum-powerpc-Os; do
     name=$(basename "$program" | tr - _)
     case $name in *powerpc*) emulator=qemu-ppc-static ;; *) emulator= ;; esac
     $emulator "$program" >"$program.out" 2>&1

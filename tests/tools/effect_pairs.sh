@@ -1,13 +1,10 @@
 #!/bin/sh
 # Every two options of effects of zsim render together, on a model in flat, smooth and textured shading: which are
 # drawn, which are refused and with what sentence. Where two are drawn, each of them is seen in the picture.
-# Usage: tests/tools/effect_pairs.sh CHECKED WORKDIR SHIPPED     from the repository's top; zsim built with ASan and
-#                                                                UBSan, and without
+# Usage: tests/tools/effect_pairs.sh ZSIM WORKDIR     from the repository's top; ZSIM built with ASan and UBSan
 #
 # SPDX-License-Identifier: MIT
 . tests/tools/zsim.sh
-checked=$zsim
-case $3 in /*) shipped=$3 ;; *) shipped=$top/$3 ;; esac
 
 gcc -O1 -Wall -Wextra -Werror "$top/tests/tools/fixture.c" -lpng -lturbojpeg -o "$work/fixture" || exit 1
 mkdir -p out
@@ -78,12 +75,9 @@ together() { # SHADE NAME NAME: its letter in $seen
     case $status in 0) seen=+ ;; 1 | 2) seen=$(letter) ;; *) seen='?' ;; esac
     [ "$seen" != '?' ] || wrong "$2 and $3: status $status: $(said)"
 }
-# Smooth shading has the most effects and is drawn under ASan and UBSan, the others by zsim as it is shipped.
 table() { # SHADE <TABLE    of each option a row: a letter for each one before it and for itself; - for one of its kind
     begin "pairs_$1"
     rm -f out/*.png
-    zsim=$shipped
-    [ "$1" != smooth ] || zsim=$checked
     while read -r this want; do
         row=
         option_of "$this" && own=$kind

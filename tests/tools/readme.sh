@@ -274,7 +274,7 @@ cat >"$out/prelude" <<'PRELUDE'
 make() {
     case " $* " in
     *' CORES=2 '* | *' LEAN=1 '* | *' -f '*) command make -n "$@" >make.log ;; # as pico, bare and scene_sums build
-    *' sim '* | *' help '* | *' firmware '*) command make "$@" ;;
+    *' demo '* | *' sim '* | *' help '* | *' firmware '*) command make "$@" ;;
     *) command make -n "$@" >make.log ;;
     esac
 }
