@@ -10,6 +10,9 @@ test quick t check size stack: export WERROR = -Werror
 JOBS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 # Its lines begin with +, as make sees a make in a recipe only where it is written out
 MAKE_ALL = $(MAKE) --no-print-directory -j$(JOBS)
+ifneq ($(and $(filter 0,$(MAKELEVEL)),$(word 2,$(filter-out $(B)/%,$(MAKECMDGOALS)))),)
+.NOTPARALLEL: # goals that each call such a make would build the same files at a time
+endif
 SIM_DIRS = cli effect load convert project frame panel gallery budget study compare reference panel_model view
 INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/panel -Ihal/fault \
       -I$(B)/gen $(SIM_DIRS:%=-Isim/%) -Ifirmware/app

@@ -74,41 +74,73 @@ static double distance(const double a[3], const double b[3])
 
 /* ---- Colours of an image --------------------------------------------------------------------- */
 
-static uint32_t cell_of(const uint8_t c[3], int bits)
+/* Every pixel as red, green, blue of 8 bits, ascending, into at[] and from there into spare[]. */
+static void sort_pixels(uint32_t *at, uint32_t *spare, const struct sim_pixels *image)
 {
-    const int drop = 8 - bits;
-    return (uint32_t)(c[0] >> drop) << 2 * bits | (uint32_t)(c[1] >> drop) << bits |
+    const size_t n = (size_t)image->w * image->h;
+    for (size_t i = 0; i < n; i++)
+        at[i] = (uint32_t)image->rgb[i][0] << 16 | (uint32_t)image->rgb[i][1] << 8 | image->rgb[i][2];
+    for (int shift = 0; shift < 24; shift += 8) { /* three passes, the last into spare[] */
+        size_t first[257] = { 0 };
+        for (size_t i = 0; i < n; i++)
+            first[(at[i] >> shift & 255) + 1]++;
+        for (int k = 0; k < 256; k++)
+            first[k + 1] += first[k];
+        for (size_t i = 0; i < n; i++)
+            spare[first[at[i] >> shift & 255]++] = at[i];
+        uint32_t *const swap = at;
+        at = spare;
+        spare = swap;
+    }
+}
+
+/* Each colour that there is. None, where there are more than EXACT_MAX. */
+static struct colors gather_all(const struct sim_pixels *image)
+{
+    const size_t pixels = (size_t)image->w * image->h;
+    uint32_t *at = sim_alloc(pixels, sizeof *at), *sorted = sim_alloc(pixels, sizeof *sorted);
+    struct colors out = { NULL, 0 };
+    sort_pixels(at, sorted, image);
+    size_t n = 0;
+    for (size_t i = 0; i < pixels; i++)
+        n += i == 0 || sorted[i] != sorted[i - 1];
+    if (n <= EXACT_MAX) {
+        out.at = sim_alloc(n, sizeof *out.at);
+        for (size_t i = 0; i < pixels; i++) {
+            if (i == 0 || sorted[i] != sorted[i - 1]) {
+                struct color *c = &out.at[out.n++];
+                for (int k = 0; k < 3; k++)
+                    c->c[k] = sorted[i] >> (16 - 8 * k) & 255;
+            }
+            out.at[out.n - 1].n += 1.0;
+        }
+    }
+    free(at);
+    free(sorted);
+    return out;
+}
+
+static uint32_t cell_of(const uint8_t c[3])
+{
+    const int drop = 8 - CELL_BITS;
+    return (uint32_t)(c[0] >> drop) << 2 * CELL_BITS | (uint32_t)(c[1] >> drop) << CELL_BITS |
            (uint32_t)(c[2] >> drop);
 }
 
-static uint32_t count_cells(const struct sim_pixels *image, int bits)
+/* The means of cells, ascending by cell, so that the order of pixels does not matter. */
+static struct colors gather_cells(const struct sim_pixels *image)
 {
-    uint8_t *seen = sim_alloc((size_t)1 << 3 * bits, 1);
-    uint32_t n = 0;
-    for (size_t i = 0; i < (size_t)image->w * image->h; i++) {
-        uint8_t *s = &seen[cell_of(image->rgb[i], bits)];
-        n += *s == 0;
-        *s = 1;
-    }
-    free(seen);
-    return n;
-}
-
-/* Ascending by cell, so that the order of pixels does not matter. */
-static struct colors gather(const struct sim_pixels *image)
-{
-    const int bits = count_cells(image, 8) <= EXACT_MAX ? 8 : CELL_BITS;
-    const size_t cells = (size_t)1 << 3 * bits;
+    const size_t cells = (size_t)1 << 3 * CELL_BITS;
     uint32_t *slot = sim_alloc(cells, sizeof *slot);
     struct colors out = { NULL, 0 };
     for (size_t i = 0; i < (size_t)image->w * image->h; i++)
-        slot[cell_of(image->rgb[i], bits)] = 1;
+        slot[cell_of(image->rgb[i])] = 1;
     for (size_t i = 0; i < cells; i++)
         if (slot[i] != 0)
             slot[i] = ++out.n;
     out.at = sim_alloc(out.n, sizeof *out.at);
     for (size_t i = 0; i < (size_t)image->w * image->h; i++) {
-        struct color *c = &out.at[slot[cell_of(image->rgb[i], bits)] - 1];
+        struct color *c = &out.at[slot[cell_of(image->rgb[i])] - 1];
         for (int k = 0; k < 3; k++)
             c->c[k] += image->rgb[i][k]; /* sums are whole numbers: exact in any order */
         c->n += 1.0;
@@ -293,22 +325,57 @@ static uint32_t cut_boxes(double (*mean)[3], uint32_t most, const struct colors 
 
 /* ---- Matching -------------------------------------------------------------------------------- */
 
-static uint32_t nearest(double (*entry)[3], uint32_t n, const double c[3], double *squared)
+/* Entries by red, so that a search ends where red alone is farther off than the best. */
+struct entries {
+    double entry[SIM_PALETTE_MAX][3]; /* red ascending */
+    uint32_t index[SIM_PALETTE_MAX];  /* of that entry in the palette */
+    uint32_t n;
+};
+
+static void put_entry(struct entries *e, uint16_t value)
 {
-    uint32_t best = 0;
-    double least = distance(entry[0], c);
-    for (uint32_t i = 1; i < n; i++) {
-        const double red = entry[i][0] - c[0];
-        if (red * red >= least) /* most entries, by now */
-            continue;
-        const double d = distance(entry[i], c);
-        if (d < least) {
-            least = d;
-            best = i;
-        }
+    double c[3];
+    to_rgb(c, value);
+    uint32_t i = e->n++;
+    for (; i > 0 && e->entry[i - 1][0] > c[0]; i--) {
+        memcpy(e->entry[i], e->entry[i - 1], sizeof e->entry[i]);
+        e->index[i] = e->index[i - 1];
     }
+    memcpy(e->entry[i], c, sizeof c);
+    e->index[i] = e->n - 1;
+}
+
+static void put_entries(struct entries *e, const uint16_t *palette, uint32_t n)
+{
+    e->n = 0;
+    for (uint32_t i = 0; i < n; i++)
+        put_entry(e, palette[i]);
+}
+
+/* The first entry of the palette that no other is nearer than: *at is where it stands by red, in, of
+ * a colour like it, a guess, and out. */
+static uint32_t nearest(const struct entries *e, uint32_t *at, const double c[3], double *squared)
+{
+    uint32_t from = *at, best = *at;
+    double least = distance(e->entry[best], c);
+    while (from + 1 < e->n && e->entry[from][0] < c[0])
+        from++;
+    while (from > 0 && e->entry[from][0] > c[0])
+        from--;
+    for (int up = 0; up < 2; up++)
+        for (uint32_t i = up ? from + 1 : from; i < e->n; i = up ? i + 1 : i - 1) { /* 0 - 1: ends */
+            const double red = e->entry[i][0] - c[0];
+            if (red * red > least)
+                break;
+            const double d = distance(e->entry[i], c);
+            if (d < least || (d <= least && e->index[i] < e->index[best])) {
+                least = d;
+                best = i;
+            }
+        }
+    *at = best;
     *squared = least;
-    return best;
+    return e->index[best];
 }
 
 static int by_value(const void *a, const void *b)
@@ -333,25 +400,20 @@ static uint32_t round_means(uint16_t *palette, double (*mean)[3], uint32_t n)
 struct match {
     double error; /* squared, of the entries as they came in */
     double mean[SIM_PALETTE_MAX][3];
-    uint32_t n;     /* means: entries that some colour chose */
-    uint32_t worst; /* the colour that is farthest off, by pixels */
+    uint32_t n; /* means: entries that some colour chose */
 };
 
 static void match(struct match *m, const uint16_t *palette, uint32_t n, const struct colors *colors)
 {
-    double entry[SIM_PALETTE_MAX][3], most = -1.0;
+    struct entries entries;
     struct sums sum[SIM_PALETTE_MAX] = { { 0 } };
-    for (uint32_t i = 0; i < n; i++)
-        to_rgb(entry[i], palette[i]);
+    uint32_t at = 0;
+    put_entries(&entries, palette, n);
     m->error = 0.0;
     for (uint32_t i = 0; i < colors->n; i++) {
         double squared;
-        add(&sum[nearest(entry, n, colors->at[i].c, &squared)], &colors->at[i]);
+        add(&sum[nearest(&entries, &at, colors->at[i].c, &squared)], &colors->at[i]);
         m->error += squared * colors->at[i].n;
-        if (squared * colors->at[i].n > most) {
-            most = squared * colors->at[i].n;
-            m->worst = i;
-        }
     }
     m->n = 0;
     for (uint32_t i = 0; i < n; i++)
@@ -360,6 +422,28 @@ static void match(struct match *m, const uint16_t *palette, uint32_t n, const st
                 m->mean[m->n][k] = sum[i].c[k] / sum[i].n;
             m->n++;
         }
+}
+
+/* Entries up to most, each the colour that is then farthest off, by pixels. */
+static void refill(uint16_t *palette, uint32_t n, uint32_t most, const struct colors *colors)
+{
+    struct entries entries;
+    double *squared = sim_alloc(colors->n, sizeof *squared), c[3];
+    uint32_t at = 0;
+    put_entries(&entries, palette, n);
+    for (uint32_t i = 0; i < colors->n; i++)
+        nearest(&entries, &at, colors->at[i].c, &squared[i]);
+    for (; n < most; n++) {
+        uint32_t worst = 0;
+        for (uint32_t i = 1; i < colors->n; i++)
+            if (squared[i] * colors->at[i].n > squared[worst] * colors->at[worst].n)
+                worst = i;
+        palette[n] = to_565(colors->at[worst].c);
+        to_rgb(c, palette[n]);
+        for (uint32_t i = 0; i < colors->n; i++)
+            squared[i] = fmin(squared[i], distance(c, colors->at[i].c));
+    }
+    free(squared);
 }
 
 /* Turns until nothing changes. The best palette seen stays in best. */
@@ -389,7 +473,9 @@ uint32_t sim_palette_build(uint16_t palette[SIM_PALETTE_MAX], uint32_t most,
     uint32_t n = exact_palette(palette, most, image);
     if (n > 0)
         return n;
-    struct colors colors = gather(image);
+    struct colors colors = gather_all(image);
+    if (colors.n == 0)
+        colors = gather_cells(image);
     struct match *m = sim_alloc(1, sizeof *m);
     uint16_t from[SIM_PALETTE_MAX];
     double least = INFINITY;
@@ -401,12 +487,10 @@ uint32_t sim_palette_build(uint16_t palette[SIM_PALETTE_MAX], uint32_t most,
         if (least >= before)
             break;
         memcpy(from, palette, n * sizeof *from);
-        for (n_from = n; n_from < most; n_from++) {
-            match(m, from, n_from, &colors);
-            from[n_from] = to_565(colors.at[m->worst].c);
-        }
-        if (n_from == n)
+        if (n == most)
             break;
+        refill(from, n, most, &colors);
+        n_from = most;
     }
     free(m);
     free(colors.at);
@@ -417,20 +501,20 @@ uint32_t sim_palette_build(uint16_t palette[SIM_PALETTE_MAX], uint32_t most,
 
 /* Where a colour goes: into the palette, or to RGB565. */
 struct target {
-    double entry[SIM_PALETTE_MAX][3];
-    uint32_t n; /* 0: RGB565 */
+    struct entries entries; /* none: RGB565 */
+    uint32_t at;           /* of the colour before */
 };
 
-static uint32_t choose(const struct target *t, const double c[3], double shown[3])
+static uint32_t choose(struct target *t, const double c[3], double shown[3])
 {
     double squared;
-    if (t->n == 0) {
+    if (t->entries.n == 0) {
         const uint16_t v = to_565(c);
         to_rgb(shown, v);
         return v;
     }
-    const uint32_t i = nearest((double(*)[3])(uintptr_t)t->entry, t->n, c, &squared);
-    memcpy(shown, t->entry[i], 3 * sizeof *shown);
+    const uint32_t i = nearest(&t->entries, &t->at, c, &squared);
+    memcpy(shown, t->entries.entry[t->at], 3 * sizeof *shown);
     return i;
 }
 
@@ -446,7 +530,7 @@ static void hand_on(double (*here)[3], double (*below)[3], uint32_t at, int step
     }
 }
 
-static void map(const struct target *t, const struct sim_pixels *image, int dither, uint8_t *index,
+static void map(struct target *t, const struct sim_pixels *image, int dither, uint8_t *index,
                 uint16_t *value)
 {
     double(*row[2])[3] = { sim_alloc(image->w + 2, sizeof **row),
@@ -479,15 +563,14 @@ static void map(const struct target *t, const struct sim_pixels *image, int dith
 void sim_palette_map(uint8_t *index, const struct sim_pixels *image, const uint16_t *palette,
                      uint32_t n_colors, int dither)
 {
-    struct target t = { .n = n_colors };
-    for (uint32_t i = 0; i < n_colors; i++)
-        to_rgb(t.entry[i], palette[i]);
+    struct target t = { .at = 0 };
+    put_entries(&t.entries, palette, n_colors);
     map(&t, image, dither, index, NULL);
 }
 
 void sim_rgb565_map(uint16_t *out, const struct sim_pixels *image, int dither)
 {
-    const struct target t = { .n = 0 };
+    struct target t = { .at = 0 };
     map(&t, image, dither, NULL, out);
 }
 

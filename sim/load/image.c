@@ -139,6 +139,7 @@ int sim_png_write(FILE *f, const char *name, uint32_t width, uint32_t height, co
     image.width = width;
     image.height = height;
     image.format = PNG_FORMAT_RGB;
+    image.flags |= PNG_IMAGE_FLAG_FAST;
     if (png_image_write_to_stdio(&image, f, 0, rgb, 0, NULL))
         return SIM_OK;
     const int status = sim_refuse(name, 0, "cannot be written: %s", image.message);

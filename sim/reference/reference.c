@@ -155,6 +155,30 @@ static double exact_det(const double a[3], const double b[3], const double c[3])
     return value;
 }
 
+/* Is the sign of det(a, b, c) that of the plain sum of its six products? Each is off by less than 2^-50 of itself. */
+static int plain_sign(const double a[3], const double b[3], const double c[3], double *det)
+{
+    double sum = 0, size = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+        const double plus = a[k1] * b[k2] * c[k], minus = a[k2] * b[k1] * c[k];
+
+        sum += plus - minus;
+        size += fabs(plus) + fabs(minus);
+    }
+    *det = sum;
+    return fabs(sum) > 1e-12 * size;
+}
+
+/* a d - b c, off by less than 2 ulps, so that its sign is right and 0 is 0 (Kahan; Jeannerod et al. 2013). */
+static double difference(double a, double d, double b, double c)
+{
+    const double product = b * c;
+
+    return fma(a, d, -product) + fma(-b, c, product);
+}
+
 /* ---- camera and depth ---- */
 
 int ref_camera_look_at(struct ref_camera *camera, const double eye[3], const double at[3],
@@ -337,19 +361,17 @@ static void project(const struct ref_camera *camera, int height, const double p[
 }
 
 /*
- * The lines, positive inside; their coefficients are right to the last bit or so, in sign always.
+ * The lines, positive inside; their coefficients are right to a bit or two, in sign always.
  * A line growing rightwards is a left edge, and a level one growing downwards a top edge.
  */
 static void make_lines(const struct job *job, struct setup *s)
 {
-    static const double axis[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-
     for (int k = 0; k < 3; k++) {
         const double *a = s->v[(k + 1) % 3], *b = s->v[(k + 2) % 3];
         double *line = s->line[k];
 
         for (int c = 0; c < 3; c++)
-            line[c] = s->sign * exact_det(a, b, axis[c]);
+            line[c] = s->sign * difference(a[(c + 1) % 3], b[(c + 2) % 3], a[(c + 2) % 3], b[(c + 1) % 3]);
         s->owns_zero[k] = line[0] > 0 || (line[0] == 0 && line[1] > 0);
         s->doubt[k] = DOUBTFUL * (fabs(line[0]) * job->width / 2 +
                                   fabs(line[1]) * job->height / 2 + fabs(line[2]));
@@ -367,7 +389,8 @@ static int setup_triangle(const struct job *job, const struct ref_triangle *t, s
         return 0;
     if (fmin(s->z[0], fmin(s->z[1], s->z[2])) > job->camera->far_z)
         return 0;
-    det = exact_det(s->v[0], s->v[1], s->v[2]);
+    if (!plain_sign(s->v[0], s->v[1], s->v[2], &det))
+        det = exact_det(s->v[0], s->v[1], s->v[2]);
     /* y points down here, so counter-clockwise in a y-up view is negative */
     if (det == 0 || t->cull == (det < 0 ? REF_CULL_FRONT : REF_CULL_BACK))
         return 0;
