@@ -572,7 +572,7 @@ draw flat gone.obj $plain --shade smooth
 # ---- Scenes as the reference sees them, from inside ----------------------------------------------------------
 finish
 built=$(dirname "$zsim")
-if gcc -std=gnu11 -O1 -g -fsanitize=address,undefined -no-pie -Wall -Wextra -Werror -I"$top/sim/cli" -I"$top/sim/frame" \
+if gcc -O1 -g -fsanitize=address,undefined -no-pie -Wall -Wextra -Werror -I"$top/sim/cli" -I"$top/sim/frame" \
     -I"$top/sim/compare" -I"$top/sim/reference" -I"$top/firmware/zstrip" "$top/tests/tools/truth.c" \
     "$built/sim/compare/scene_reference.o" "$built/sim/frame/frame.o" "$built/sim/frame/frame_ids.o" \
     "$built/sim/frame/method_names.o" "$built/sim/frame/scene_share.o" "$built/sim/frame/texel_numbers.o" \
