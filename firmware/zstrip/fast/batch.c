@@ -115,8 +115,11 @@ SWEEP_PART uint32_t zs_sweep_aside(struct zs_sweep *s, int32_t empty, int32_t y0
         strip = zs_bin_place(r, y0, y1);
     if (strip == ZS_NIL) {
         s->outcome[outcome]++;
-        if (outcome == ZS_OUTCOME_DRAWN)
+        if (outcome == ZS_OUTCOME_DRAWN) {
             zs_bin_below(s->r, y0);
+            s->y0 = zs_min32(s->y0, y0);
+            s->y1 = zs_max32(s->y1, y1);
+        }
     }
     return strip;
 }
@@ -253,6 +256,8 @@ static uint32_t sum(const uint32_t outcome[ZS_OUTCOMES])
 static uint32_t counted(struct zs_sweep *s, uint32_t from, uint32_t end, const uint16_t (*tri)[3])
 {
     s->placed = 0u - s->n;
+    s->y0 = INT32_MAX;
+    s->y1 = INT32_MIN;
     s->before = sum(s->outcome) - from;
     const uint32_t reached = sweep(s, from, end, tri);
     s->r->n_tris = s->n;
@@ -265,7 +270,7 @@ static uint32_t counted(struct zs_sweep *s, uint32_t from, uint32_t end, const u
 
 /* Batches of triangles: their vertices are gathered where the pool does not hold the mesh's, and
  * their rows are noted (fast/parts.c). */
-#define BATCH 40 /* at most 64 */
+#define BATCH 40
 
 /* Transform the vertices that were appended to the pool from `slot` on. Their numbers are known. */
 static void transform_new(struct zs_renderer *r, uint32_t slot)
@@ -314,33 +319,11 @@ static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, uint32_t from, uint32_
     return (uint32_t)(to - corner[0]) / 3u;
 }
 
-/* The triangles of a batch that sweep() does not cull by their facing or as outside: 4 * number in
- * the batch, + 2 if it is a slow case. Return how many they are. */
-static ZS_NOINLINE uint32_t list(const struct zs_sweep *s, const uint16_t (*tri)[3], uint32_t n,
-                                 uint8_t *left)
-{
-    const struct zs_vertex *const pool = s->pool;
-    uint8_t *out = left;
-    for (uint32_t t = 0; t < n; t++) {
-        const uint32_t i = tri[t][0], j = tri[t][2], k = tri[t][1];
-        uint32_t wide = 1, all = 0;
-        int32_t at[6], area = 0;
-        if (i < s->n_verts && j < s->n_verts && k < s->n_verts) {
-            area = zs_area_short(at, xy(pool + i), xy(pool + j), xy(pool + k), &wide);
-            all = pool[i].d & pool[j].d & pool[k].d;
-        }
-        if (wide ? all <= ZS_D_OUT : area != 0 && area * s->keep >= 0)
-            *out++ = (uint8_t)(4u * t + (wide ? 2u : 0u));
-    }
-    return (uint32_t)(out - left);
-}
-
 /* Bin triangles [from, end) in batches. Return the triangle that it reached: one that is a slow
  * case, or for which a pool is full. */
 static ZS_NOINLINE uint32_t by_batches(struct zs_sweep *s, uint32_t from, uint32_t end)
 {
     struct zs_renderer *r = s->r;
-    uint8_t left[BATCH];
     uint16_t corner[BATCH][3];
     for (uint32_t n, reached; from < end; from = reached) {
         const uint16_t(*tri)[3];
@@ -356,9 +339,11 @@ static ZS_NOINLINE uint32_t by_batches(struct zs_sweep *s, uint32_t from, uint32
             tri = (const uint16_t(*)[3])corner;
             s->n_verts = r->n_verts;
         }
-        if (r->parts_tris && zs_parts_noted(r, from))
-            zs_parts_note(r, from, s->pool, tri, left, list(s, tri, n, left));
+        const int noted = r->parts_tris && zs_parts_noted(r, from);
+        const struct zs_tri *const first = s->out;
         reached = counted(s, from, from + n, tri);
+        if (noted)
+            zs_parts_note(r, from, first, s->out, s->y0, s->y1);
         if (reached < from + n)
             return reached;
     }
@@ -407,6 +392,8 @@ ZS_NOINLINE uint32_t zs_batch_bin(struct zs_renderer *r, uint32_t from, uint32_t
             if (f == ZS_OUTCOME_FULL)
                 return from;
             r->slow_first = 0;
+            if (r->parts_tris)
+                zs_parts_unknown(r, from);
             outcome[f]++;
             from++;
         }

@@ -151,11 +151,10 @@ ZS_RARE uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint
     return 0;
 }
 
-/* The row of a vertex in the frame, in units. */
-ZS_RARE static ZS_NOINLINE uint32_t row_of(const struct zs_renderer *r, int32_t y)
+/* A row, which may be outside the frame, in units. */
+ZS_RARE static ZS_NOINLINE uint32_t row_of(const struct zs_renderer *r, int32_t row)
 {
-    const int32_t row = zs_max32(y >> ZS_SUBPX_BITS, 0);
-    return (uint32_t)zs_min32(row, r->config.height - 1) >> r->part_down;
+    return (uint32_t)zs_min32(zs_max32(row, 0), r->config.height - 1) >> r->part_down;
 }
 
 ZS_RARE int zs_parts_noted(struct zs_renderer *r, uint32_t from)
@@ -168,23 +167,22 @@ ZS_RARE int zs_parts_noted(struct zs_renderer *r, uint32_t from)
     return r->counting || r->noting;
 }
 
-ZS_RARE void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
-                           const uint16_t (*tri)[3], const uint8_t *left, uint32_t n)
+ZS_RARE void zs_parts_unknown(struct zs_renderer *r, uint32_t t)
+{
+    if (r->counting || r->noting)
+        parts(r)[r->part + (t >> r->part_log2)] = ALL;
+}
+
+ZS_RARE void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_tri *tri,
+                           const struct zs_tri *end, int32_t y0, int32_t y1)
 {
     uint16_t *const part = parts(r) + r->part + (from >> r->part_log2);
-    int32_t y0 = INT32_MAX, y1 = INT32_MIN;
-    for (const uint8_t *const end = left + n; left != end; left++) {
-        const uint16_t *index = tri[*left / 4u];
-        if (*left & 2u) { /* rare */
-            *part = ALL;
-            return;
-        }
-        const int32_t a = pool[index[0]].y, b = pool[index[1]].y, c = pool[index[2]].y;
-        y0 = zs_min32(y0, zs_min32(a, zs_min32(b, c)));
-        y1 = zs_max32(y1, zs_max32(a, zs_max32(b, c)));
+    for (; tri != end; tri++) {
+        const struct zs_vertex *const v = r->vert;
+        y0 = zs_min32(y0, zs_first_sample(v[tri->v[0]].y));
+        y1 = zs_max32(y1, zs_first_sample(zs_max32(v[tri->v[1]].y, v[tri->v[2]].y)));
     }
-    if (y0 > y1)
-        return;
-    *part = (uint16_t)(zs_minu32(*part & 255u, row_of(r, y0)) | zs_maxu32(*part >> 8, row_of(r, y1))
-                                                                    << 8);
+    if (y0 < y1)
+        *part = (uint16_t)(zs_minu32(*part & 255u, row_of(r, y0)) |
+                           zs_maxu32(*part >> 8, row_of(r, y1 - 1)) << 8);
 }

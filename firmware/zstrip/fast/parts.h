@@ -25,10 +25,11 @@ int zs_parts_whole(const struct zs_renderer *r);
 uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end, uint32_t n);
 /* Return 1 if the rows of triangles from `from` on have to be noted. They are in one part. */
 int zs_parts_noted(struct zs_renderer *r, uint32_t from);
-/* Note the rows of n triangles of one part, which begins at triangle `from` or before it. The k-th
- * of them has the vertices pool[tri[left[k] / 4]]; with left[k] & 2 it may have a vertex number
- * that is out of range, or vertices that are not on the screen. */
-void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
-                   const uint16_t (*tri)[3], const uint8_t *left, uint32_t n);
+/* Triangle t is binned by itself, and not noted: its part may reach all rows. */
+void zs_parts_unknown(struct zs_renderer *r, uint32_t t);
+/* Note the rows of one part's triangles, which begin at triangle `from` of the mesh: of the binned
+ * ones [tri, end), and [y0, y1) of the others; y0 >= y1: there are none. */
+void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_tri *tri,
+                   const struct zs_tri *end, int32_t y0, int32_t y1);
 
 #endif
