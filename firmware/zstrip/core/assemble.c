@@ -95,11 +95,8 @@ ZS_NOINLINE enum zs_outcome zs_assemble_tri(struct zs_renderer *r, uint32_t t, u
         r->tiles->cover(r, &r->vert[at.slot[0]], &r->vert[at.slot[1]], &r->vert[at.slot[2]]);
     outcome = zs_assemble_box(r, r->vert, &at);
     const uint32_t strip = outcome == ZS_OUTCOME_DRAWN ? zs_bin_place(r, at.y0, at.y1) : ZS_NIL;
-    if (strip == ZS_NIL) {
-        if (outcome == ZS_OUTCOME_DRAWN)
-            zs_bin_below(r, at.y0);
+    if (strip == ZS_NIL)
         return outcome;
-    }
     if (r->n_tris == r->config.max_tris)
         return ZS_OUTCOME_FULL;
     for (int k = 0; k < 3 && shader->vertex; k++)

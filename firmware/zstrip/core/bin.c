@@ -35,12 +35,17 @@ void zs_bin_empty(struct zs_renderer *r)
     bins_clear(r);
 }
 
-uint32_t zs_bin_place(const struct zs_renderer *r, int32_t y0, int32_t y1)
+uint32_t zs_bin_place(struct zs_renderer *r, int32_t y0, int32_t y1)
 {
-    uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
+    const uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
+    if (s >= r->band_end) {
+        if (s < r->band_begun)
+            r->bin[s]++;
+        return ZS_NIL;
+    }
     if (s < r->strip)
-        s = zs_min32(y1, r->walk_y_end) > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
-    return s < r->band_end ? s : ZS_NIL;
+        return zs_min32(y1, r->walk_y_end) > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
+    return s;
 }
 
 void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, uint32_t strip)
@@ -218,13 +223,6 @@ ZS_RARE int zs_bin_room(struct zs_renderer *r)
             return 0;
         shrink(r);
     }
-}
-
-void zs_bin_below(struct zs_renderer *r, int32_t y0)
-{
-    const uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
-    if (s >= r->band_end && s < r->band_begun)
-        r->bin[s]++;
 }
 
 ZS_RARE void zs_bin_band(struct zs_renderer *r, uint16_t end)

@@ -32,8 +32,6 @@ int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot
 /* Begin a band of strips, with empty pools: from the current strip on, up to `end` at most, so many
  * that the pools will hold their triangles, as far as an earlier band has counted them. */
 void zs_bin_band(struct zs_renderer *r, uint16_t end);
-/* Count a triangle whose first row is y0, if it begins below the band. */
-void zs_bin_below(struct zs_renderer *r, int32_t y0);
 /* Update the pools' high-water marks in the statistics. */
 void zs_bin_count(struct zs_renderer *r);
 
@@ -49,8 +47,9 @@ static inline int32_t zs_bin_strip(const struct zs_renderer *r, int32_t row)
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* The first strip in [r->strip, r->band_end) that intersects rows [y0, y1), or ZS_NIL. */
-uint32_t zs_bin_place(const struct zs_renderer *r, int32_t y0, int32_t y1);
+/* The first strip in [r->strip, r->band_end) that intersects a triangle's rows [y0, y1), or ZS_NIL.
+ * Triangles that begin below the band are counted. */
+uint32_t zs_bin_place(struct zs_renderer *r, int32_t y0, int32_t y1);
 /* Append a triangle to the pool and to a strip's bin. The pool must have room. */
 void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, uint32_t strip);
 

@@ -104,7 +104,7 @@ static ZS_NOINLINE int slow_case(struct zs_sweep *s, uint32_t t)
 /* Return the strip of a box that lies partly outside the rows that are drawn, or ZS_NIL. */
 SWEEP_PART uint32_t zs_sweep_aside(struct zs_sweep *s, int32_t empty, int32_t y0, int32_t y1)
 {
-    const struct zs_renderer *r = s->r;
+    struct zs_renderer *r = s->r;
     uint32_t strip = ZS_NIL;
     enum zs_outcome outcome = ZS_OUTCOME_DRAWN;
     if (y1 <= r->walk_y || y0 >= r->walk_y_end)
@@ -116,7 +116,6 @@ SWEEP_PART uint32_t zs_sweep_aside(struct zs_sweep *s, int32_t empty, int32_t y0
     if (strip == ZS_NIL) {
         s->outcome[outcome]++;
         if (outcome == ZS_OUTCOME_DRAWN) {
-            zs_bin_below(s->r, y0);
             s->y0 = zs_min32(s->y0, y0);
             s->y1 = zs_max32(s->y1, y1);
         }
