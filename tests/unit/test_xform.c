@@ -177,7 +177,7 @@ static int far_apart(const struct zs_vertex *a, const struct zs_vertex *b)
     return llabs((int64_t)a->x - b->x) >= 65536 || llabs((int64_t)a->y - b->y) >= 65536;
 }
 
-/* Any run of them: each as it is alone; those outside are far from all others. */
+/* Any run of them, and any of them: each as it is alone; those outside are far from all others. */
 static int screen_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -207,15 +207,25 @@ static int screen_case(uint64_t seed)
         s.r.view.z_far = point.c[2] + prng_range(&p, -1, 1);
         s.r.xform.clip_depth = 1;
     }
-    zs_screen(&s.r, from, n, got);
+    const int any = prng_pick(&p, 2) != 0;
+    uint16_t number[N_VERTS]; /* runs of them, and some twice */
+    for (uint32_t v = 0; v < n; v++)
+        number[v] = (uint16_t)(!any ? from + v : v && prng_pick(&p, 2) ? (number[v - 1] + 1u) % N_VERTS
+                                                                       : prng_pick(&p, N_VERTS));
+    s.r.vert = got;
+    s.r.vert_src = number;
+    if (any)
+        zs_screen_known(&s.r, 0, n);
+    else
+        zs_screen(&s.r, from, n, got);
     for (uint32_t v = 0; v < n; v++) {
-        zs_xform_screen(&s.r, from + v, &want);
+        zs_xform_screen(&s.r, number[v], &want);
         const int out = want.d >= ZS_D_OUT;
         if (got[v].d != want.d || (!out && (got[v].x != want.x || got[v].y != want.y)))
-            return case_wrong("vertex %u: (%d, %d, %u), not (%d, %d, %u)", from + v, got[v].x, got[v].y, got[v].d,
+            return case_wrong("vertex %u: (%d, %d, %u), not (%d, %d, %u)", number[v], got[v].x, got[v].y, got[v].d,
                               want.x, want.y, want.d);
         for (uint32_t k = 0; k < n && out; k++)
-            CASE_CHECK(k == v || far_apart(&got[v], &got[k]));
+            CASE_CHECK(number[k] == number[v] || far_apart(&got[v], &got[k]));
         *(out ? &outside : &inside) += 1;
     }
     return 1;

@@ -66,10 +66,15 @@ void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, u
 
 void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
 {
-    const uint32_t varyings = r->config.varyings;
-    r->stats.verts_transformed += n;
     for (uint32_t k = 0; k < n; k++)
         r->vert_src[slot + k] = (uint16_t)(from + k);
+    zs_bin_fresh(r, slot, n);
+}
+
+void zs_bin_fresh(struct zs_renderer *r, uint32_t slot, uint32_t n)
+{
+    const uint32_t varyings = r->config.varyings;
+    r->stats.verts_transformed += n;
     if (varyings)
         for (uint16_t *at = &r->attr[slot * varyings], *const end = at + n * varyings; at < end;
              at += varyings)

@@ -26,6 +26,8 @@ int zs_bin_room(struct zs_renderer *r);
 /* Record that the pool's vertices [slot, slot + n) are the mesh's vertices [from, from + n), with
  * attributes not computed yet. */
 void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n);
+/* The same for vertices whose numbers are recorded already. */
+void zs_bin_fresh(struct zs_renderer *r, uint32_t slot, uint32_t n);
 /* Find a triangle's three vertices in the pool, or transform them into it. Return 0: the pool is
  * full. */
 int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3]);

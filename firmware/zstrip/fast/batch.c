@@ -271,20 +271,6 @@ static uint32_t counted(struct zs_sweep *s, uint32_t from, uint32_t end, const u
  * their rows are noted (fast/parts.c). */
 #define BATCH 40
 
-/* Transform the vertices that were appended to the pool from `slot` on. Their numbers are known. */
-static void transform_new(struct zs_renderer *r, uint32_t slot)
-{
-    const uint16_t *src = r->vert_src;
-    while (slot < r->n_verts) {
-        const uint32_t from = src[slot];
-        uint32_t n = 1;
-        while (slot + n < r->n_verts && src[slot + n] == from + n)
-            n++;
-        zs_batch_verts(r, slot, from, n);
-        slot += n;
-    }
-}
-
 /* Find the vertices of the mesh's triangles [from, from + n) in the pool, or transform them into
  * it. Return how many triangles have theirs; fewer than n if the pool is full. */
 static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, uint32_t from, uint32_t n,
@@ -314,7 +300,8 @@ static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, uint32_t from, uint32_
         *to = (uint16_t)slot;
     }
     r->n_verts = top;
-    transform_new(r, first);
+    zs_bin_fresh(r, first, top - first);
+    zs_screen_known(r, first, top);
     return (uint32_t)(to - corner[0]) / 3u;
 }
 

@@ -84,10 +84,8 @@ static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
     return ((zs_umulh(zs_size32(c), rcp) >> down) + 1u) >> 1;
 }
 
-/* Project a vertex that may be outside the view, or needs wider products. v is the number of the
- * vertex at `first`. */
-static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v,
-                                      const struct zs_vertex *first, struct zs_vertex *at)
+/* Project a vertex of the pool that may be outside the view, or needs wider products. */
+static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, struct zs_vertex *at)
 {
     const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
     uint32_t code = 0;
@@ -96,7 +94,7 @@ static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v,
     if (code == 0 && !zs_xform_project_at(r, at)) /* 0: the mesh exceeds its bounding sphere */
         code = zs_xform_outcode(&r->view, &p);
     if (code) {
-        at->x = (int32_t)((v + (uint32_t)(at - first)) << 16);
+        at->x = (int32_t)((uint32_t)r->vert_src[at - r->vert] << 16);
         at->y = OUT_Y;
         at->d = ZS_D_OUT + code;
     }
@@ -109,8 +107,8 @@ _Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "inside the guard band");
 /* Project vertices. A vertex that is projected to a step or more inside the guard band is inside it
  * in camera units too, because its error is 1/2 step and 2^-9. So only vertices far from the
  * viewport's centre need the tests of screen_slowly(). */
-ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n,
-                             struct zs_vertex *out, int perspective, int32_t coarse)
+ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out,
+                             int perspective, int32_t coarse)
 {
     const struct zs_view *view = &r->view;
     const struct zs_depth *depth = r->view.depth;
@@ -120,10 +118,10 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n
     const uint32_t most = NEAR_MIDDLE >> coarse;
     const int32_t z_near = view->z_near;
     const uint32_t depth_range = (uint32_t)view->z_far - (uint32_t)z_near; /* < 2^31.6 */
-    for (struct zs_vertex *const first = out, *const end = out + n; out != end; out++) {
+    for (struct zs_vertex *const end = out + n; out != end; out++) {
         const int32_t x = out->x, y = out->y, z = (int32_t)out->d;
         if ((uint32_t)z - (uint32_t)z_near > depth_range) {
-            screen_slowly(r, v, first, out);
+            screen_slowly(r, out);
             continue;
         }
         int32_t lz = 0;
@@ -136,12 +134,12 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n
         ZS_NARROW(rcp);
         const int32_t down = shift - lz;
         if ((uint32_t)down > 31u) {
-            screen_slowly(r, v, first, out);
+            screen_slowly(r, out);
             continue;
         }
         const uint32_t sx = steps_of(x, rcp, down), sy = steps_of(y, rcp, down);
         if ((sx | sy) >= most) {
-            screen_slowly(r, v, first, out);
+            screen_slowly(r, out);
             continue;
         }
         const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
@@ -152,10 +150,17 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n
 }
 
 /* For an orthographic camera, or with 4 sub-pixel bits. */
-static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t v, uint32_t n,
-                                   struct zs_vertex *out)
+static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out)
 {
-    screen(r, v, n, out, r->view.perspective, r->view.snap);
+    screen(r, n, out, r->view.perspective, r->view.snap);
+}
+
+static void project(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out)
+{
+    if (r->view.perspective && r->view.snap == 0)
+        screen(r, n, out, 1, 0);
+    else
+        screen_any(r, n, out);
 }
 
 void zs_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
@@ -165,8 +170,16 @@ void zs_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_ve
         return;
     }
     transform(&r->xform, v, n, out);
-    if (r->view.perspective && r->view.snap == 0)
-        screen(r, v, n, out, 1, 0);
-    else
-        screen_any(r, v, n, out);
+    project(r, n, out);
+}
+
+void zs_screen_known(const struct zs_renderer *r, uint32_t slot, uint32_t end)
+{
+    const uint16_t *const src = r->vert_src;
+    for (uint32_t from = slot, to; from < end; from = to) {
+        for (to = from + 1u; to < end && src[to] == src[from] + (to - from); to++)
+            ;
+        transform(&r->xform, src[from], to - from, &r->vert[from]);
+    }
+    project(r, end - slot, &r->vert[slot]);
 }

@@ -10,10 +10,12 @@
 /* Set r->xform.clip_depth and clip_guard: 0 if no vertex of the current instance can fail that clip
  * test. */
 void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b);
-/* Transform and project vertices [v, v + n) of the current instance, as zs_xform_screen. In
- * addition, a vertex with an outcode other than 0 gets an x or y that differs by 2^16 or more from
- * that of any other vertex. */
+/* Transform and project vertices [v, v + n) of the current instance, as zs_xform_screen, to the
+ * pool, where their numbers are recorded. In addition, a vertex with an outcode other than 0 gets
+ * an x or y that differs by 2^16 or more from that of any other vertex. */
 void zs_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
+/* The same for the pool's vertices [slot, end), whose numbers may be any. */
+void zs_screen_known(const struct zs_renderer *r, uint32_t slot, uint32_t end);
 /* Transform and project vertices [from, from + n) of the mesh into the pool from `slot` on, and
  * record them (zs_bin_mark). */
 void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n);
