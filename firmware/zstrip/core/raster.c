@@ -116,9 +116,12 @@ static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tr
     *list = (uint16_t)(job->tri - job->r->tri);
     return job->r->tri + *list;
 }
+/* Whether fast->draw, which has declined, has tried what fast_setup does. */
+#define fast_tried(job) ((job)->kept.of == (job)->tri->instance || !(job)->texture)
 #else
 #define fast_chain(job, all) ((void)0)
 #define fast_reached(job, t, list) (t)
+#define fast_tried(job) 0
 #endif
 
 /* In place of job_setup and key_plane. Return ZS_SET_UP_NOT if it is not done. */
@@ -142,6 +145,7 @@ static inline int fast_start(struct zs_job *job)
 #define fast_target(job, r) ((void)(job))
 #define fast_chain(job, all) ((void)0)
 #define fast_reached(job, t, list) (t)
+#define fast_tried(job) 0
 #define fast_setup(job) ((void)(job), ZS_SET_UP_NOT)
 #define fast_start(job) ((void)(job), 0)
 #endif
@@ -371,7 +375,8 @@ void zs_raster_strip(struct zs_renderer *r)
             if (!ZS_IF_FAST(whole) || !whole(&job)) {
                 if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
-                const enum zs_set_up done = fast_setup(&job);
+                const enum zs_set_up done = whole && fast_tried(&job) ? ZS_SET_UP_NOT
+                                                                      : fast_setup(&job);
                 if (done != ZS_SET_UP_NONE && (done || job_setup(&job)))
                     draw(&job, done || key_plane(&job));
             }
