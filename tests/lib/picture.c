@@ -169,6 +169,12 @@ void picture_free(struct picture *p)
     p->color = p->key = NULL;
 }
 
+void pictures_free(struct picture *const *p)
+{
+    while (*p)
+        picture_free(*p++);
+}
+
 int picture_same(const struct picture *a, const struct picture *b, const char *name)
 {
     if (a->err || b->err || a->w != b->w || a->h != b->h) {

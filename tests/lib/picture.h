@@ -38,6 +38,9 @@ struct picture picture_draw(const struct zs_config *config, const struct zs_scen
 /* The same in passes, by zs_render_passes. */
 struct picture picture_passes(const struct zs_config *config, const struct zs_pass *pass, uint32_t n);
 void picture_free(struct picture *p);
+/* Several: PICTURES_FREE(&a, &b) */
+#define PICTURES_FREE(...) pictures_free((struct picture *const[]){ __VA_ARGS__, NULL })
+void pictures_free(struct picture *const *p);
 /* 1: it was drawn, and covers more than so many pixels. Else say that it does not. */
 int picture_shows(const struct picture *p, uint32_t pixels);
 /* 1: same size, colours and keys. Else say where they differ first, with a name for the case. */

@@ -498,8 +498,7 @@ static void bad_indices_are_not_drawn_and_counted(void **state)
     s.mesh.n_tris = n;
     struct picture q = picture_draw(&g.config, &g.scene, &g.camera);
     assert_true(picture_same(&p, &q, "without the bad triangles"));
-    picture_free(&p);
-    picture_free(&q);
+    PICTURES_FREE(&p, &q);
 }
 
 /* Counter-clockwise on the screen is the front, whole or cut at near. */
@@ -570,8 +569,7 @@ static void the_largest_mesh(void **state)
         assert_true(stats_add_up(&p[k].stats));
     }
     assert_true(picture_same(&p[0], &p[1], "pools of 500 and of 65534"));
-    picture_free(&p[0]);
-    picture_free(&p[1]);
+    PICTURES_FREE(&p[0], &p[1]);
 }
 
 /* ---- Sinks ----------------------------------------------------------------------------------- */

@@ -206,8 +206,7 @@ static void stress_21_any_strip_height(void **state)
         tall.strip_h = 60000; /* means the frame's height */
         struct picture p = drawn(&tall);
         assert_true(picture_same(&plain, &p, "a strip taller than the frame"));
-        picture_free(&p);
-        picture_free(&plain);
+        PICTURES_FREE(&p, &plain);
     }
 }
 
@@ -400,8 +399,7 @@ static int random_case(uint64_t seed)
     ok = ok && picture_same(&plain, &f, "counted");
     for (int k = 0; k < FAST_COUNT; k++)
         used[k] += fast_used[k];
-    picture_free(&f);
-    picture_free(&plain);
+    PICTURES_FREE(&f, &plain);
     return ok ? 1 : case_wrong("random scene");
 }
 

@@ -168,12 +168,7 @@ static int world_case(uint64_t seed)
     splits += sort.stats.splits;
     rays += ray.stats.rays;
     painter_wrong += right && memcmp(paint.color, want.color, SIDE * SIDE * sizeof *want.color) != 0;
-    picture_free(&want);
-    picture_free(&hiz);
-    picture_free(&ray);
-    picture_free(&sort);
-    picture_free(&cover);
-    picture_free(&paint);
+    PICTURES_FREE(&want, &hiz, &ray, &sort, &cover, &paint);
     return right;
 }
 

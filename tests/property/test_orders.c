@@ -200,8 +200,7 @@ static void every_order_of_calls(void **state)
         }
         assert_true(all_orders(&d, saved, said, 0));
     }
-    picture_free(&want[0]);
-    picture_free(&want[1]);
+    PICTURES_FREE(&want[0], &want[1]);
     print_message("every order of %d calls of %d: %llu calls\n", LENGTH, (int)OPS, (unsigned long long)n_calls);
 }
 
@@ -298,8 +297,7 @@ static int two_case(uint64_t seed)
         ok = side_step(&side[prng_pick(&p, 2)], &p);
     for (int k = 0; k < 2; k++) {
         free(side[k].arena);
-        picture_free(&side[k].alone[0]);
-        picture_free(&side[k].alone[1]);
+        PICTURES_FREE(&side[k].alone[0], &side[k].alone[1]);
     }
     return ok;
 }

@@ -153,9 +153,7 @@ static int over_case(uint64_t seed)
         picture_free(&got);
         passes_kept++;
     }
-    picture_free(&want);
-    picture_free(&black);
-    picture_free(&white);
+    PICTURES_FREE(&want, &black, &white);
     world_free(&w[0]);
     world_free(&w[1]);
     return ok;
@@ -190,8 +188,7 @@ static int cut_case(uint64_t seed)
     picture_any_way(&p, &c, 1, 3);
     struct picture got = picture_passes(&c, pass, 2);
     ok = picture_same(&want, &got, "cut in two") || case_wrong("cut in two");
-    picture_free(&want);
-    picture_free(&got);
+    PICTURES_FREE(&want, &got);
     passes_kept++;
 out:
     world_free(&w);
@@ -426,8 +423,7 @@ static int untested_case(uint64_t seed)
         ok = ok && (picture_same(&want, &got, "untested") || case_wrong("untested"));
         drawn_cases++;
     }
-    picture_free(&got);
-    picture_free(&want);
+    PICTURES_FREE(&got, &want);
     world_free(&w);
     return ok;
 }

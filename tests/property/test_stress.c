@@ -1129,8 +1129,7 @@ static int scale_case(uint64_t seed)
     struct picture b = picture_draw(&config, &other, &camera);
     const int ok = picture_same(&a, &b, "mesh.scale times pose.scale") && a.covered > 100;
     scaled->s.mesh.scale = keep;
-    picture_free(&a);
-    picture_free(&b);
+    PICTURES_FREE(&a, &b);
     return ok;
 }
 
@@ -1200,8 +1199,7 @@ static int twice_case(uint64_t seed)
     if (ok && (f.stats.pixels_written != f.covered || f.stats.pixels_tested != 9 * f.covered))
         ok = case_wrong("%u covered, %u tested, %u written", f.covered, f.stats.pixels_tested,
                         f.stats.pixels_written);
-    picture_free(&alone);
-    picture_free(&f);
+    PICTURES_FREE(&alone, &f);
     return ok;
 }
 

@@ -105,8 +105,7 @@ static int one_scene(uint64_t seed)
     struct picture got = picture_draw(&c, &world.scene, &world.camera);
     CASE_CHECK(plain.err == ZS_OK && got.err == ZS_OK);
     const int same = picture_same(&plain, &got, "ties");
-    picture_free(&plain);
-    picture_free(&got);
+    PICTURES_FREE(&plain, &got);
     return same ? 1 : case_wrong("%u instances", (unsigned)world.scene.n_instances);
 }
 

@@ -368,8 +368,7 @@ static int far_case(uint64_t seed)
     }
     const int right = !is[0].err && !is[1].err && picture_same(&is[0], &is[1], "at the far plane");
     pixels += is[1].covered;
-    picture_free(&is[0]);
-    picture_free(&is[1]);
+    PICTURES_FREE(&is[0], &is[1]);
     return right || case_wrong("errors %d and %d", is[0].err, is[1].err);
 }
 
@@ -415,9 +414,7 @@ static int pattern_case(uint64_t seed)
     all.covered = is.covered;
     const int right = all.err == is.err && none.err == is.err && (is.err || picture_same(&all, &is, "by the pattern"));
     pixels += t.changed && !is.err ? is.covered : 0;
-    picture_free(&all);
-    picture_free(&none);
-    picture_free(&is);
+    PICTURES_FREE(&all, &none, &is);
     twins_free(&t);
     return right || case_wrong("errors %d, %d and %d", all.err, none.err, is.err);
 }

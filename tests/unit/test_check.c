@@ -897,8 +897,7 @@ static int nodes_case(uint64_t seed)
         ok = picture_same(&want, &is, "a hierarchy that passed");
         nodes_sound++;
         nodes_drawn += want.covered > 0;
-        picture_free(&want);
-        picture_free(&is);
+        PICTURES_FREE(&want, &is);
     }
     free(node);
     return ok;

@@ -295,8 +295,7 @@ static int slack_case(uint64_t seed)
     const double gap = (away * focal - half * z) / sqrt(focal * focal + half * half) - (reach + 1) / 256.0;
     beside += want.covered > 20 && gap > 0;
     CASE_CHECK(want.err == ZS_OK);
-    picture_free(&want);
-    picture_free(&got);
+    PICTURES_FREE(&want, &got);
     return right;
 }
 

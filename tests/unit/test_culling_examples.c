@@ -81,8 +81,7 @@ static int wrong_pixels(struct body *b, uint8_t cull, struct zs_stats *stats)
     for (int i = 0; i < W * H; i++)
         wrong += culled.color[i] != full.color[i];
     *stats = culled.stats;
-    picture_free(&culled);
-    picture_free(&full);
+    PICTURES_FREE(&culled, &full);
     return wrong;
 }
 
@@ -257,9 +256,7 @@ static void objects_behind_a_wall_are_left_out(void **state)
     assert_true(picture_same(&plain, &by_tiles, "tiles") && picture_same(&plain, &by_hiz, "hiz"));
     assert_int_equal(by_tiles.stats.instances_hidden, BALLS);
     assert_int_equal(by_hiz.stats.instances_hidden, BALLS - 1);
-    picture_free(&plain);
-    picture_free(&by_tiles);
-    picture_free(&by_hiz);
+    PICTURES_FREE(&plain, &by_tiles, &by_hiz);
 }
 
 static const struct CMUnitTest tests[] = {

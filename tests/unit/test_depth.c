@@ -912,8 +912,7 @@ static int any_float_case(uint64_t seed)
                    (f.covered > 20 || found < 128);
     if (!ok)
         (void)case_wrong("near %lld far %lld", (long long)camera.z_near, (long long)camera.z_far);
-    picture_free(&f);
-    picture_free(&named);
+    PICTURES_FREE(&f, &named);
     return ok;
 }
 

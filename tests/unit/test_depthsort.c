@@ -268,8 +268,7 @@ static int buffer_case(uint64_t seed)
             right = case_wrong("pixel %d, %d: triangle %d, not %d", k % SIDE, k / SIDE, b, a);
     }
     splits += is.stats.splits;
-    picture_free(&is);
-    picture_free(&want);
+    PICTURES_FREE(&is, &want);
     for (uint32_t t = 0; t < n; t++)
         picture_free(&lone_picture[t]);
     return right;

@@ -315,8 +315,7 @@ static void hidden_pixels_change_no_other(void **state)
             hidden += b.key[i] != a.key[i];
         }
         assert_in_range(hidden, 500, SIDE * SIDE / 2);
-        picture_free(&a);
-        picture_free(&b);
+        PICTURES_FREE(&a, &b);
     }
 }
 

@@ -541,11 +541,7 @@ static int cutout_case(uint64_t seed)
         cut_in += (uint32_t)in;
         cut_lost += drawn && !in;
     }
-    picture_free(&got);
-    picture_free(&again);
-    picture_free(&was);
-    picture_free(&color);
-    picture_free(&mask);
+    PICTURES_FREE(&got, &again, &was, &color, &mask);
     return 1;
 }
 
@@ -596,8 +592,7 @@ static int any_way_case(uint64_t seed)
     other = card_draw(all, 4, &any);
     CASE_CHECK(other.err == (cut ? ZS_ERR_DEPTH : ZS_OK));
     CASE_CHECK(cut || !memcmp(one.color, other.color, W * H * 2));
-    picture_free(&one);
-    picture_free(&other);
+    PICTURES_FREE(&one, &other);
     return 1;
 }
 
@@ -744,8 +739,7 @@ static void stress_40_one_texture_in_turns(void **state)
     plain.fast = NULL;
     struct picture fast = card_draw(all, 3, NULL), slow = card_draw(all, 3, &plain);
     assert_true(!fast.err && picture_same(&slow, &fast, "in turns"));
-    picture_free(&fast);
-    picture_free(&slow);
+    PICTURES_FREE(&fast, &slow);
 }
 
 /* ---- Refused ---------------------------------------------------------------------------------- */

@@ -159,10 +159,7 @@ static int layer_case(uint64_t seed)
     struct picture again = drawn(&s, &p, &zs_method_transparent, 1);
     CASE_CHECK(source.err == ZS_OK && under.err == ZS_OK && is.err == ZS_OK);
     const int right = mixed(&under, &source, &is, alpha, add) && picture_same(&is, &again, "ways");
-    picture_free(&source);
-    picture_free(&under);
-    picture_free(&is);
-    picture_free(&again);
+    PICTURES_FREE(&source, &under, &is, &again);
     return right;
 }
 
@@ -210,8 +207,7 @@ static void user_fragment(void **state)
     s.material.material.shader = &layer.shader;
     struct picture is = drawn(&s, &p, &zs_method_transparent, 1);
     assert_memory_equal(source.color, is.color, sizeof *is.color * W * H);
-    picture_free(&source);
-    picture_free(&is);
+    PICTURES_FREE(&source, &is);
 }
 
 /* ---- Filters ------------------------------------------------------------------------------------- */
@@ -321,10 +317,7 @@ static int fog_case(uint64_t seed)
     struct picture again = picture_passes(&c, pass, 2);
     CASE_CHECK(source.err == ZS_OK && under.err == ZS_OK && is.err == ZS_OK);
     const int right = mixed(&under, &source, &is, alpha, 0) && picture_same(&is, &again, "ways");
-    picture_free(&source);
-    picture_free(&under);
-    picture_free(&is);
-    picture_free(&again);
+    PICTURES_FREE(&source, &under, &is, &again);
     return right;
 }
 
@@ -378,10 +371,7 @@ static int mirror_case(uint64_t seed)
             right = case_wrong("(%d, %d): %04x instead of %04x, %s the mirror; fog %04x", i % W, i / W, is.color[i],
                                want, in_glass ? "in" : "beside", color);
     }
-    picture_free(&front);
-    picture_free(&image);
-    picture_free(&glass_at);
-    picture_free(&is);
+    PICTURES_FREE(&front, &image, &glass_at, &is);
     return right;
 }
 

@@ -420,8 +420,7 @@ static int viewport_case(uint64_t seed)
         const int32_t at = (i / alone.w + pass.viewport.y) * is.w + i % alone.w + pass.viewport.x;
         right = is.color[at] == alone.color[i] && is.key[at] == alone.key[i];
     }
-    picture_free(&alone);
-    picture_free(&is);
+    PICTURES_FREE(&alone, &is);
     world_free(&w);
     return right || case_wrong("another picture in a viewport; error %d", is.err);
 }

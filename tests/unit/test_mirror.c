@@ -388,8 +388,7 @@ static int hand_case(uint64_t seed)
     if (!ok)
         (void)case_wrong("errors %d, %d; axis %d, side %d, depth %s", want.err, got.err, axis, side,
                          c.depth == &zs_depth_linear ? "linear" : "");
-    picture_free(&want);
-    picture_free(&got);
+    PICTURES_FREE(&want, &got);
     return ok;
 }
 
@@ -563,8 +562,7 @@ static void stress_42_a_bias_that_saturates(void **state)
     m.thing[0].depth_state = &nearest; /* in the mirror alone: the room's is behind the eye */
     struct picture p = drawn(&m);
     assert_int_equal(memcmp(p.color, plain.color, sizeof *p.color * W * H), 0);
-    picture_free(&p);
-    picture_free(&plain);
+    PICTURES_FREE(&p, &plain);
     m.thing[1].depth_state = &farthest; /* a window behind all else, but before the background */
     m.camera.z_far = 100 * 65536;
     p = drawn(&m);
@@ -643,8 +641,7 @@ static void a_rear_view_mirror(void **state)
     m.mirror.at += (int64_t)10 << 30;
     assert_int_equal(zs_mirror_camera(&same, &rear, &m.mirror), ZS_ERR_VECTOR);
     assert_int_equal(same.pos[2], -6);
-    picture_free(&got);
-    picture_free(&want);
+    PICTURES_FREE(&got, &want);
 }
 
 /* ---- Wrong mirrors ------------------------------------------------------------------------------------- */

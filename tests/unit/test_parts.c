@@ -194,8 +194,7 @@ static int few_case(uint64_t seed)
     sum[any].least += least;
     sum[any].walks += walks;
     sum[any].again += (double)f.stats.verts_transformed / ample.stats.verts_transformed;
-    picture_free(&ample);
-    picture_free(&f);
+    PICTURES_FREE(&ample, &f);
     return ok ? 1
               : case_wrong("strips of %u, pools of %u and %u for %u and %u", c.strip_h, tris, verts,
                            n_tris, n_verts);

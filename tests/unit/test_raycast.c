@@ -124,8 +124,7 @@ static void small_spheres_are_noticed(void **state)
         c.method = &zs_method_raycast;
         struct picture is = picture_draw(&c, &w.scene, &w.camera);
         other += !want.err && !is.err && memcmp(want.color, is.color, 40 * 30 * 2) != 0;
-        picture_free(&want);
-        picture_free(&is);
+        PICTURES_FREE(&want, &is);
         world_free(&w);
     }
     shrink = 0;

@@ -236,9 +236,7 @@ static int pixels_case(uint64_t seed)
                                : on ? "light"
                                     : "empty");
     }
-    picture_free(&covered);
-    picture_free(&empty);
-    picture_free(&shaded);
+    PICTURES_FREE(&covered, &empty, &shaded);
     return right;
 }
 

@@ -255,9 +255,7 @@ static int rays_case(uint64_t seed)
             right = case_wrong("(%d, %d), lamp %d, way %d, soft %d: %04x, not %04x; it should be %s", i % W, i / W,
                                s.lamp.kind, (int)way, s.map.soft, is.color[i], as, want == LIT ? "lit" : "dark");
     }
-    picture_free(&is);
-    picture_free(&bright);
-    picture_free(&dim);
+    PICTURES_FREE(&is, &bright, &dim);
     return right;
 }
 

@@ -245,8 +245,7 @@ static int way_case(uint64_t seed)
     c.method = prng_pick(&p, 2) ? &zs_method_raycast : &zs_method_hiz;
     other = picture_draw(&c, &s.scene, &s.camera);
     right = right && !other.err && !memcmp(one.color, other.color, 70 * 50 * sizeof other.color[0]);
-    picture_free(&one);
-    picture_free(&other);
+    PICTURES_FREE(&one, &other);
     return right || case_wrong("another method");
 }
 
@@ -267,8 +266,7 @@ static int colors_case(uint64_t seed)
         s.thing[k].material = &plain;
     struct picture want = picture_draw(&c, &s.scene, &s.camera);
     int right = picture_same(&is, &want, "flat");
-    picture_free(&is);
-    picture_free(&want);
+    PICTURES_FREE(&is, &want);
 
     struct zs_mesh round = box;
     for (int v = 0; v < 8; v++)
@@ -293,8 +291,7 @@ static int colors_case(uint64_t seed)
         right = abs((int)(a >> 11) - (int)(b >> 11)) <= 1 && abs((int)(a >> 5 & 63u) - (int)(b >> 5 & 63u)) <= 1 &&
                 abs((int)(a & 31u) - (int)(b & 31u)) <= 1;
     }
-    picture_free(&is);
-    picture_free(&want);
+    PICTURES_FREE(&is, &want);
     return right || case_wrong("colours");
 }
 

@@ -332,8 +332,7 @@ static int flat_case(uint64_t seed)
                                 code_of(f.color[i], k), exact);
         }
     }
-    picture_free(&id);
-    picture_free(&f);
+    PICTURES_FREE(&id, &f);
     return ok;
 }
 
@@ -408,8 +407,7 @@ static int smooth_case(uint64_t seed)
                                     id.color[at] - 1u, c, i, j, code_of(f.color[at], c), exact);
             }
         }
-    picture_free(&id);
-    picture_free(&f);
+    PICTURES_FREE(&id, &f);
     return ok;
 }
 

@@ -174,8 +174,7 @@ static void one_moving_thing_sends_its_own_part(void **state)
     assert_true(strips > 0 && strips < 15);
     assert_int_equal(s.glass.n_submits, strips);
     assert_int_equal(s.glass.n_px, box);
-    picture_free(&before);
-    picture_free(&after);
+    PICTURES_FREE(&before, &after);
     close_show(&s);
 }
 

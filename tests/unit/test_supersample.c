@@ -344,8 +344,7 @@ static void four_samples_are_nearer(void **state)
         printf("  RMS from 256 samples, %s: %.4f with one sample, %.4f with four\n", names[scene_of], one, four);
         assert_true(four < 0.6 * one);
         free(arena);
-        picture_free(&many);
-        picture_free(&once);
+        PICTURES_FREE(&many, &once);
     }
 }
 

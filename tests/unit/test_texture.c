@@ -1086,8 +1086,7 @@ static int flat_light_case(uint64_t seed)
                 ok = case_wrong("channel %d is %d, not %.4f: light %.5f", c,
                                 code_of(lit.color[i], c), exact, intensity);
         }
-    picture_free(&plain);
-    picture_free(&lit);
+    PICTURES_FREE(&plain, &lit);
     return ok;
 }
 

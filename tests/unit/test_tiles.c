@@ -163,9 +163,7 @@ static void layers_cost_one(void **state)
         assert_int_equal(without.stats.pixels_tested, 8 * 320 * 120);
         assert_int_equal(with.stats.pixels_tested, 320 * 120);
         assert_int_equal(alone.stats.pixels_tested, 320 * 120);
-        picture_free(&alone);
-        picture_free(&with);
-        picture_free(&without);
+        PICTURES_FREE(&alone, &with, &without);
     }
 }
 
@@ -234,8 +232,7 @@ static void equal_keys_hide_nothing(void **state)
         struct picture small = picture_draw(&c, &world.scene, &world.camera);
         assert_true(picture_same(&plain, &small, "equal keys"));
         passes += small.stats.passes;
-        picture_free(&plain);
-        picture_free(&small);
+        PICTURES_FREE(&plain, &small);
     }
     assert_true(passes > 60);
 }
@@ -291,8 +288,7 @@ static void half_hidden_is_drawn(void **state)
             fail_msg("seed %llu", (unsigned long long)seed);
         hidden += got.stats.instances_hidden;
         passes += got.stats.passes;
-        picture_free(&plain);
-        picture_free(&got);
+        PICTURES_FREE(&plain, &got);
     }
     print_message("%u instances hidden, %u walks\n", hidden, passes);
     assert_true(hidden > 50 && passes > 800);
@@ -317,8 +313,7 @@ static void a_sphere_before_near_hides_nothing(void **state)
         if (!picture_same(&plain, &got, "before near"))
             fail_msg("seed %llu", (unsigned long long)seed);
         assert_int_equal(got.stats.instances_hidden, 0);
-        picture_free(&plain);
-        picture_free(&got);
+        PICTURES_FREE(&plain, &got);
     }
 }
 

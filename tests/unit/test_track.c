@@ -498,8 +498,7 @@ static int one_input(uint64_t seed)
             change_input(&w, which);
     }
     shown[which] += memcmp(want[0].color, want[1].color, W_MAX * H_MAX * 2u) != 0;
-    picture_free(&want[0]);
-    picture_free(&want[1]);
+    PICTURES_FREE(&want[0], &want[1]);
     show_close(&s);
     return 1;
 }

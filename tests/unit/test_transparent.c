@@ -417,8 +417,7 @@ static void faces_that_cross_need_depth_sort(void **state)
     picture_free(&least);
     crossing(&least, &zs_method_depthsort, &zs_depth_order, 5, 13);
     assert_true(picture_same(&is, &least, "small rectangles"));
-    picture_free(&least);
-    picture_free(&is);
+    PICTURES_FREE(&least, &is);
 }
 
 /* Layers in random worlds by depth sort: the same for any pools, down to rectangles of a pixel. */

@@ -131,8 +131,7 @@ static uint16_t differ_from(const struct still *zero, const struct still *writte
     struct picture a = picture_draw(&zero->config, &zero->scene, &zero->camera);
     struct picture b = picture_draw(&written->config, &written->scene, &written->camera);
     const uint16_t wrong = !picture_same(&a, &b, name) || a.covered < 500;
-    picture_free(&a);
-    picture_free(&b);
+    PICTURES_FREE(&a, &b);
     return wrong;
 }
 
@@ -195,8 +194,7 @@ static void zeros_leave_out_the_same(void **state)
         assert_true(picture_same(&a, &b, "clusters") && a.covered > 500);
         assert_memory_equal(&a.stats, &b.stats, sizeof a.stats);
         assert_true(a.stats.clusters_culled > 10 && a.stats.clusters_culled < a.stats.clusters_in);
-        picture_free(&a);
-        picture_free(&b);
+        PICTURES_FREE(&a, &b);
     }
 }
 

@@ -201,8 +201,7 @@ static int as_ample(const struct picture *plain, struct zs_config c, uint32_t tr
     out += f.stats.clusters_culled;
     clipped += f.stats.tris_clipped;
     most_used = most_used > ample.stats.max_tris_used ? most_used : ample.stats.max_tris_used;
-    picture_free(&ample);
-    picture_free(&f);
+    PICTURES_FREE(&ample, &f);
     return ok ? 1 : case_wrong("strips of %u, pools of %u and %u, seed's list", c.strip_h, tris, verts);
 }
 

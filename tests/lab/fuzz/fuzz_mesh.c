@@ -195,8 +195,7 @@ static void draw(struct card *c, const struct kind_shader *shader)
     EXPECT(a.err == b.err);
     if (!a.err && sphere_holds(&c->mesh)) /* else parts are lost: others in other walks */
         EXPECT(picture_same(&a, &b, shader->name));
-    picture_free(&a);
-    picture_free(&b);
+    PICTURES_FREE(&a, &b);
     if (c->mesh_flaw) { /* clusters that are anything: whatever it shows */
         config.fast = fast_all;
         struct picture any = picture_draw(&config, &scene, &camera);
