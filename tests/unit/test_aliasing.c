@@ -199,6 +199,8 @@ static void measure(void **state)
 /* Far away, mipmaps are closer than the nearest texel by a half at least; near, bilinear is closest. */
 static void filters_pay(void **state)
 {
+    if (rms[0][0] <= 0) /* by itself, as `make mutate` runs it */
+        measure(state);
     for (size_t s = 0; s < STAGES - 1; s++)
         assert_true(rms[s][3] < rms[s][1] && rms[s][2] < rms[s][0] && rms[s][3] < rms[s][0] * 0.75);
     assert_true(rms[STAGES - 1][0] > 0);
