@@ -127,7 +127,7 @@ record)
     awk 'FILENAME != "'$parts'" { seconds[$1] = $5; next }
         /^#/ || !($1 in seconds) { print; next }
         { line = $0; sub(/^[^ ]+ +[^ ]+/, "", line); s = seconds[$1]
-          printf "%-20s %5.1f%s\n", $1, s > 0.1 ? s : 0.1, line }' "$logs/counts" $parts
+          printf "%-20s %5.1f%s\n", $1, (s > 0.1 ? s : 0.1), line }' "$logs/counts" $parts
     exit ;;
 '') ;;
 *)
