@@ -82,24 +82,27 @@ static uint32_t mesh_bytes(const struct zs_mesh *m)
     return RECORD_zs_mesh + v * m->n_verts + t * m->n_tris + (uint32_t)sizeof(struct zs_cluster) * m->n_clusters;
 }
 
-/* Each mesh and texture once. */
-static void add_data(struct budget *b, const struct zs_scene *scene)
+/* Each mesh and texture of a pass once, unless passes before have it. */
+static void add_data(struct budget *b, const struct zs_pass *passes, uint32_t pass)
 {
+    const struct zs_scene *scene = passes[pass].scene;
     for (uint32_t i = 0; i < scene->n_instances; i++) {
         const struct zs_instance *in = &scene->instance[i];
         const struct zs_texture *t = in->material->texture;
         int mesh = 1, material = 1, texture = t != NULL;
-        for (uint32_t k = 0; k < i; k++) {
-            mesh &= scene->instance[k].mesh != in->mesh;
-            material &= scene->instance[k].material != in->material;
-            texture &= scene->instance[k].material->texture != t;
-        }
+        for (uint32_t p = 0; p <= pass; p++)
+            for (uint32_t k = 0; k < (p < pass ? passes[p].scene->n_instances : i); k++) {
+                const struct zs_instance *before = &passes[p].scene->instance[k];
+                mesh &= before->mesh != in->mesh;
+                material &= before->material != in->material;
+                texture &= before->material->texture != t;
+            }
         b->data += mesh ? mesh_bytes(in->mesh) : 0u;
         b->data += (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
         const struct zs_shader *plain = sim_costs_plain(in->material->shader);
         b->shades |= shade_bit(plain != NULL ? plain : in->material->shader);
         b->states |= in->depth_state != NULL;
-        if (t)
+        if (t != NULL)
             b->texels |= texel_bit(t->format);
     }
 }
@@ -123,16 +126,25 @@ static void hold_method(struct zs_config *c, const struct sim_method *method)
     }
 }
 
-/* Pools that take the scene in one pass, where none were asked for; then counts. */
+static int draw_passes(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
+{
+    const struct sim_drawn_scene *d = ctx;
+    struct zs_pass_memory memory[SIM_COUNT_PASSES];
+    return d->passes == 1 ? zs_render(r, d->pass[0].scene, d->pass[0].camera, sink)
+                          : zs_render_passes(r, d->pass, memory, d->passes, sink);
+}
+
+/* Pools that take the scene in one walk, where none were asked for; then counts. */
 static int count_scene(struct budget *b, const struct budget_request *rq, const char *name,
-                       const struct zs_scene *scene, const struct zs_camera *camera)
+                       struct sim_drawn_scene *d)
 {
     struct zs_config *c = &b->config;
     const char *why = NULL;
     int err = ZS_OK;
     for (int tries = 0; !err && !(rq->has_tris && rq->has_verts) && tries < 64; tries++) {
         struct sim_frame frame;
-        err = sim_frame_render(&frame, scene, camera, c, NULL);
+        const struct sim_drawing drawing = { draw_passes, d, c->width, c->height, sim_frame_no_keys(c) };
+        err = sim_frame_render_by(&frame, &drawing, c, NULL, NULL);
         if (err)
             break;
         const uint32_t tris = frame.stats.max_tris_used, verts = frame.stats.max_verts_used;
@@ -147,11 +159,13 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
                                                  : next_size(c->max_verts));
         hold_method(c, &sim_methods[rq->o.method]);
     }
-    err = err ? err : sim_costs_count(&b->counted, scene, camera, c);
+    err = err ? err : sim_costs_count_passes(&b->counted, d->pass, d->passes, c);
     if (err)
         why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_error_string(err);
-    b->n_instances = scene->n_instances;
-    add_data(b, scene);
+    for (uint32_t k = 0; k < d->passes; k++) {
+        b->n_instances += d->pass[k].scene->n_instances;
+        add_data(b, d->pass, k);
+    }
     return why ? sim_refuse(name, 0, "%s", why) : SIM_OK;
 }
 
@@ -190,15 +204,17 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
     const struct demo *d = sim_demo_named(rq->scene);
     if (d == NULL)
         return refuse_scene(rq->scene);
-    if (sim_demo_piece(d) != NULL)
-        return sim_refuse(NULL, 0, "--scene %s: it has effects, whose time is not estimated; `make pico` measures it, "
-                                   "zsim budget --effects says what a pixel takes", rq->scene);
     const int own = !rq->o.has_size && rq->o.panel.name == NULL;
     const uint16_t w = own ? d->width : (uint16_t)rq->o.size[0], h = own ? d->height : (uint16_t)rq->o.size[1];
     struct demo_frame *f = sim_alloc(1, sizeof *f);
     set_config(b, rq, w, h, (uint8_t)d->varyings, d->depth);
     sim_demo_pose(f, d, (uint32_t)rq->frame, w, h, &rq->orbit);
-    const int status = count_scene(b, rq, d->name, &f->scene, &f->camera);
+    sim_demo_method(&b->config, d, rq->o.method);
+    struct zs_pass whole = { .scene = &f->scene, .camera = &f->camera };
+    const struct piece *piece = sim_demo_piece(d);
+    struct sim_drawn_scene drawn = { .pass = piece != NULL && piece->n_passes > 0 ? piece->pass : &whole,
+                                     .passes = piece != NULL && piece->n_passes > 0 ? piece->n_passes : 1u };
+    const int status = count_scene(b, rq, d->name, &drawn);
     free(f);
     return status;
 }
@@ -217,31 +233,6 @@ struct counting {
     const struct budget_request *rq;
 };
 
-/* The scene, in which shaders that are made of others, and those that were not measured, are plain ones: *made then is
- * 1, and its time is not known. */
-static struct zs_scene in_plain(const struct zs_scene *of, struct zs_material **materials, int *made)
-{
-    struct zs_scene scene = *of;
-    struct zs_instance *all = sim_alloc((size_t)of->n_instances + 1, sizeof *all);
-    *materials = sim_alloc((size_t)of->n_instances + 1, sizeof **materials);
-    *made = 0;
-    scene.instance = all;
-    for (uint32_t i = 0; i < of->n_instances; i++) {
-        struct zs_material *m = &(*materials)[i];
-        all[i] = of->instance[i];
-        if (sim_shader_row_of(all[i].material->shader) != NULL)
-            continue;
-        *m = *all[i].material;
-        m->shader = m->texture != NULL && all[i].mesh->normal != NULL ? &zs_shade_texture_smooth
-                    : m->texture != NULL                              ? &zs_shade_texture
-                    : all[i].mesh->normal != NULL                     ? &zs_shade_smooth
-                                                                      : &zs_shade_flat;
-        all[i].material = m;
-        *made = 1;
-    }
-    return scene;
-}
-
 /* A model's frame, as it is drawn, effects and all. Of four samples a pixel pools, strips and bytes are those of the
  * frame of twice the size each way that the renderer draws. */
 static int count_drawn(void *ctx, const struct sim_drawn_scene *d)
@@ -256,18 +247,10 @@ static int count_drawn(void *ctx, const struct sim_drawn_scene *d)
     }
     if (d->config.method == &zs_method_transparent)
         c->method = d->config.method;
-    struct zs_material *materials;
-    int made;
-    const struct zs_scene scene = in_plain(d->scene, &materials, &made);
-    const int status = count_scene(b, of->rq, of->rq->o.model, &scene, d->camera);
-    free((void *)(uintptr_t)scene.instance);
-    free(materials);
-    if (made)
-        sim_effects_unknown(&b->counted, "this combination of effects");
+    struct sim_drawn_scene drawn = *d;
+    const int status = count_scene(b, of->rq, of->rq->o.model, &drawn);
     if (d->samples > 1)
         sim_effects_add_samples(&b->counted, (double)c->width * c->height / (double)d->samples);
-    if (d->passes > 1)
-        sim_effects_unknown(&b->counted, of->rq->o.effects.mirror ? "a mirror" : "fog behind what is transparent");
     b->data = (uint32_t)d->data_bytes;
     if (status == SIM_OK && has_effects(d->scene) && !of->rq->quiet)
         (void)fprintf(stderr,
@@ -443,7 +426,7 @@ void budget_frame(struct budget *b, const struct budget_request *rq, const struc
     if (!rq->has_verts)
         b->config.max_verts = (uint16_t)(stats->max_verts_used < 3 ? 3 : stats->max_verts_used);
     b->n_instances = stats->instances_in;
-    sim_effects_unknown(&b->counted, "a scene with passes of its own");
+    sim_effects_unknown(&b->counted, "a frame that was not counted");
 }
 
 int budget_scene(struct budget *b, const struct budget_request *rq)

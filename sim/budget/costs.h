@@ -156,6 +156,8 @@
     X(gloss_start, "set-up", "more for a highlight on a texture")                                               \
     X(gloss_px, "run", "more for a pixel of a highlight on a texture")                                          \
     X(cutout_px, "run", "more for a pixel whose texel may be clear")                                            \
+    X(cutout_pal_px, "run", "more for one of them by a palette")                                                 \
+    X(cutout_tested_px, "pixel", "more where its texel may be clear")                                            \
     X(cutout_run, "run", "more for a run of those")                                                             \
     X(blend_px, "run", "more for a pixel that is blended")                                                      \
     X(blend_run, "run", "more for a run of those")                                                              \
@@ -179,6 +181,7 @@ struct sim_counted {
     double effects[SIM_CORES]; /* what effects take beside that; NAN: one of them was not measured, which is ... */
     const char *unknown;       /* ... this; NULL: none */
     int has_effects;           /* flag: there is something in that */
+    int has_own; /* flag: a stage, sky or item of a program's own is in it, as one of the library's that is like it */
     struct zs_stats stats; /* of it */
     uint32_t checksum;     /* FNV-1a, 32 bits, of its bytes as they leave */
 };
@@ -191,6 +194,11 @@ const struct zs_shader *sim_costs_plain(const struct zs_shader *shader);
  * those that the renderer says. Not for two threads at once. Needs ZS_STATS = 1. */
 int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
                     const struct zs_config *config);
+/* The same of n passes, at most SIM_COUNT_PASSES, as zs_render_passes draws them. */
+#define SIM_COUNT_PASSES 4u
+struct zs_pass;
+int sim_costs_count_passes(struct sim_counted *out, const struct zs_pass *pass, uint32_t n,
+                           const struct zs_config *config);
 
 /* ---- What one costs ----------------------------------------------------------------------------- */
 
@@ -210,6 +218,9 @@ double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
 /* Work of one material with a shader of an effect. */
 struct sim_effect_work {
     double px, vertices, faces, runs; /* coloured; shaded; of one colour; runs that pixels came in */
+    double lit, shiny; /* of light at each pixel: lamps that reach it, summed; those whose highlight does */
+    double single;     /* of zs_shade_phong: pixels that are not lit in blocks */
+    double gloss;      /* of zs_shade_texture_gloss under a filter or layer: pixels of triangles with highlights */
     int fetched; /* flag: the texels of those pixels are in the stages' costs */
 };
 /* Add what it takes to counted->effects; material: the one that is drawn. */
@@ -220,6 +231,11 @@ void sim_effects_add_lamps(struct sim_counted *counted, const struct zs_material
                            const struct sim_effect_work *work);
 /* Add n pixels of a hook: fog, dithering. drawn: pixels on which something is drawn, all: those of the frame. */
 void sim_effects_add_hook(struct sim_counted *counted, const struct zs_resolve *hook, double drawn, double all);
+/* Add n pixels of a pass that is seen in windows, and n behind which there is a sky. */
+void sim_effects_add_windows(struct sim_counted *counted, double n);
+/* Add n triangles of a pass in a mirror, which accelerators do not walk. */
+void sim_effects_add_mirrored(struct sim_counted *counted, double n);
+void sim_effects_add_sky(struct sim_counted *counted, const struct zs_background *sky, double n);
 /* Add n pixels of the panel that were made of four samples each. */
 void sim_effects_add_samples(struct sim_counted *counted, double n);
 /* Is what a vertex of it takes, more than by a plain shader, a matter of how runs begin? */

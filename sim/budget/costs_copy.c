@@ -47,6 +47,7 @@ static int is_lit(const struct zs_shader *of)
 static void copy_shader(struct our_shader *s, const struct zs_shader *of, const struct zs_texture *texture)
 {
     const struct sim_shader_row *row = sim_shader_row_of(of);
+    sim_shader_made(&s->made, of);
     s->blends = opaque(of) != NULL;
     s->adds = is_added(of);
     s->lit = is_lit(of);
@@ -73,7 +74,7 @@ static void copy_shader(struct our_shader *s, const struct zs_shader *of, const 
     s->shader.light = of->light ? sim_look_shader.light : NULL;
     s->shader.span = of->span;
     if (s->effect)
-        sim_look_copy_effect(s, row, texture);
+        sim_look_copy_effect(s, texture);
 }
 
 static void copy_texel(struct our_texel *x, const struct zs_texel *of)
@@ -119,8 +120,9 @@ static void copy_fast(struct thing *t, const struct zs_fast *const *list)
 void sim_look_copy(struct zs_instance *in, struct thing *t, const struct zs_fast *const *list)
 {
     const struct zs_texture *texture = in->material->texture;
-    const struct sim_shader_row *row = sim_shader_row_of(in->material->shader);
-    memcpy(&t->as, in->material, sim_shader_material_bytes(row != NULL ? row->material : SIM_MATERIAL_PLAIN));
+    struct sim_shader_made made;
+    sim_shader_made(&made, in->material->shader);
+    memcpy(&t->as, in->material, sim_shader_material_bytes(made.row != NULL ? made.row->material : SIM_MATERIAL_PLAIN));
     copy_shader(&t->shader, in->material->shader, texture);
     t->shader.shines = is_lit(in->material->shader) && t->as.lit.shine;
     t->as.material.shader = &t->shader.shader;

@@ -186,53 +186,115 @@ static void find_worst(struct sim_counted *out)
     }
 }
 
-int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
-                    const struct zs_config *config)
+/* A frame's passes, of copies that look on. */
+struct copied {
+    struct zs_pass pass[SIM_COUNT_PASSES];
+    struct zs_scene scene[SIM_COUNT_PASSES];
+    struct zs_instance *instance;
+    struct thing *things;
+    uint32_t first[SIM_COUNT_PASSES]; /* of a pass's instances and things */
+    uint32_t n, all;
+};
+
+/* The pass before k that draws the same scene; k: none does. Its hooks are called once. */
+static uint32_t same_scene(const struct zs_pass *pass, uint32_t k)
 {
-    struct zs_scene ours = *scene;
+    uint32_t before = 0;
+    while (pass[before].scene != pass[k].scene)
+        before++;
+    return before;
+}
+
+static void copy_passes(struct copied *c, const struct zs_pass *pass, uint32_t n, const struct zs_fast *const *fast)
+{
+    memset(c, 0, sizeof *c);
+    c->n = n;
+    for (uint32_t k = 0; k < n; k++) {
+        c->first[k] = c->all;
+        c->all += pass[k].scene->n_instances;
+    }
+    c->instance = sim_alloc((size_t)c->all + 1u, sizeof *c->instance);
+    c->things = sim_alloc((size_t)c->all + 1u, sizeof *c->things);
+    for (uint32_t k = 0; k < n; k++) {
+        c->pass[k] = pass[k];
+        c->scene[k] = *pass[k].scene;
+        c->scene[k].instance = c->instance + c->first[k];
+        c->pass[k].scene = &c->scene[same_scene(pass, k)];
+        for (uint32_t i = 0; i < pass[k].scene->n_instances; i++) {
+            c->instance[c->first[k] + i] = pass[k].scene->instance[i];
+            sim_look_copy(&c->instance[c->first[k] + i], &c->things[c->first[k] + i], fast);
+        }
+    }
+}
+
+static int draw_passes(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
+{
+    struct zs_pass_memory memory[SIM_COUNT_PASSES];
+    const struct copied *c = ctx;
+    return c->n == 1 ? zs_render(r, c->pass[0].scene, c->pass[0].camera, sink)
+                     : zs_render_passes(r, c->pass, memory, c->n, sink);
+}
+
+/* What effects take, and viewports of later passes that are cleared. */
+static void count_passes(struct sim_counted *out, const struct copied *c, const struct zs_pass *pass,
+                         const struct sim_frame *frame)
+{
+    for (uint32_t k = 0; k < c->n; k++) {
+        const struct zs_rect *v = &pass[k].viewport;
+        const uint32_t before = same_scene(pass, k);
+        if (k > 0 && pass[k].mask == NULL)
+            out->n[SIM_COST_clear_px] += (v->w > 0 ? (double)v->w * v->h : (double)frame->width * frame->height) *
+                                         (!(pass[k].keep & ZS_KEEP_COLOR) + !(pass[k].keep & ZS_KEEP_DEPTH)) / 2.0;
+        if (before == k)
+            sim_look_effects(out, pass[k].scene, c->things + c->first[k]);
+        sim_look_around(out, &pass[k], frame, before == k);
+    }
+}
+
+int sim_costs_count_passes(struct sim_counted *out, const struct zs_pass *pass, uint32_t n,
+                           const struct zs_config *config)
+{
     struct zs_config with = *config;
     struct sim_frame frame;
-    const size_t n = scene->n_instances;
-    struct zs_instance *instance = sim_alloc(n + 1u, sizeof *instance);
-    struct thing *things = sim_alloc(n + 1u, sizeof *things);
+    struct copied c;
     const struct zs_sink sink = { .submit = on_submit, .wait = on_wait };
     memset(out, 0, sizeof *out);
+    if (n < 1 || n > SIM_COUNT_PASSES)
+        return ZS_ERR_SIZE;
     memset(&sim_now, 0, sizeof sim_now);
     sim_now.n = out->n;
     sim_look_depth(config->depth);
     sim_now.checksum = 2166136261u;
     sim_now.instance = UINT32_MAX;
     with.depth = &sim_now.depth;
-    for (size_t i = 0; i < n; i++) {
-        instance[i] = scene->instance[i];
-        sim_look_copy(&instance[i], &things[i], config->fast);
-    }
+    copy_passes(&c, pass, n, config->fast);
     copy_batch(config->fast);
-    for (size_t i = 0; i < n && !with.method; i++)
-        if (scene->instance[i].material->shader->layer) {
-            with.method = &zs_method_transparent;
-            with.max_tris = with.max_tris < 2 ? 2 : with.max_tris; /* its least pools */
-            with.max_verts = with.max_verts < 6 ? 6 : with.max_verts;
-        }
     sim_look_method(&with);
-    const struct zs_fast **fast = sim_look_list(config->fast, things, n);
+    const struct zs_fast **fast = sim_look_list(config->fast, c.things, c.all);
     with.fast = fast;
-    ours.instance = instance;
-    int err = sim_frame_render_to(&frame, &ours, camera, &with, NULL, &sink);
+    const struct sim_drawing drawing = { draw_passes, &c, config->width, config->height, sim_frame_no_keys(config) };
+    int err = sim_frame_render_by(&frame, &drawing, &with, NULL, &sink);
     if (err == ZS_OK) {
         out->stats = frame.stats;
         out->checksum = sim_now.checksum;
         count_frame(config, &frame.stats);
-        count_asked(scene, config, &frame.stats);
+        for (uint32_t k = 0; k < n; k++)
+            count_asked(pass[k].scene, config, &frame.stats);
+        count_passes(out, &c, pass, &frame);
         if (sim_now.walks > 0 && frame.stats.strips > 0)
             find_worst(out);
-        sim_look_effects(out, scene, things, &frame);
         if (sim_now.tested != frame.stats.pixels_tested)
             err = SIM_FRAME_BROKEN;
     }
     sim_frame_free(&frame);
     free(fast);
-    free(instance);
-    free(things);
+    SIM_FREE(c.instance, c.things);
     return err;
+}
+
+int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
+                    const struct zs_config *config)
+{
+    const struct zs_pass pass = { .scene = scene, .camera = camera };
+    return sim_costs_count_passes(out, &pass, 1, config);
 }

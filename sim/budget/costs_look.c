@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/job.h"
+#include "core/pass.h"
 #include "core/xform.h"
 #include "costs_look.h"
 #include "zs_filter.h"
@@ -50,7 +51,7 @@ static int32_t strips_within(const struct zs_renderer *r, int32_t row, int32_t e
  * found for both at once. */
 static void count_cover(const struct zs_renderer *r)
 {
-    if (!r->large || !r->cover_known) /* else cover_next is not set yet */
+    if (!r->tiles || !r->large || !r->cover_known) /* else cover_next is not set yet; hiz has another `large` */
         return;
     const struct zs_cover *last = &r->cover[!r->cover_next], *before = &r->cover[r->cover_next];
     if (memcmp(last->v, sim_now.cover, sizeof sim_now.cover) == 0)
@@ -174,10 +175,9 @@ void sim_look_setup(const struct zs_job *job, int plain)
     sim_now.n[SIM_COST_edge_div64] += s->divided64;
 }
 
-/* Highlights on a texture: of the triangle that has been set up. */
-static int has_gloss(const struct zs_job *job, const struct our_shader *s)
+int sim_look_gloss(const struct zs_job *job, const struct our_shader *s)
 {
-    return s->of == &zs_shade_texture_gloss && (job->c[3].base | job->c[3].gx | job->c[3].gy) != 0;
+    return s->made.of == &zs_shade_texture_gloss && (job->c[3].base | job->c[3].gx | job->c[3].gy) != 0;
 }
 
 static void count_start(const struct zs_job *job, const struct our_shader *s)
@@ -189,7 +189,7 @@ static void count_start(const struct zs_job *job, const struct our_shader *s)
         sim_now.n[affine ? SIM_COST_start_texture : SIM_COST_start_texture_w]++;
     if (s->kind == KIND_TEXTURE && s->of->n_varyings >= 3)
         sim_now.n[SIM_COST_start_light]++;
-    sim_now.n[SIM_COST_gloss_start] += has_gloss(job, s);
+    sim_now.n[SIM_COST_gloss_start] += sim_look_gloss(job, s);
     if (s->kind != KIND_SOLID && sim_now.wide)
         sim_now.n[sim_now.huge ? SIM_COST_plane_wide : SIM_COST_plane_mid] += s->of->n_varyings + !affine;
 }
@@ -197,7 +197,9 @@ static void count_start(const struct zs_job *job, const struct our_shader *s)
 static void on_start(struct zs_job *job)
 {
     const struct our_shader *s = sim_shader_of(job->shader);
+    sim_look_as(job, s);
     s->of->start(job);
+    job->shader = &s->shader;
     count_start(job, s);
 }
 
@@ -209,9 +211,17 @@ static zs_piece_fn *tester(const struct zs_job *job)
     return of && of->span ? of->span : s->of->span ? s->of->span : zs_rows_test;
 }
 
+/* Pixels of a cut-out: their keys are kept before the test. */
+static void count_kept(const struct our_shader *s, int32_t n)
+{
+    if (s->of->span && !s->blends)
+        sim_now.n[SIM_COST_cutout_tested_px] += n;
+}
+
 /* A row by what tests the shader's pieces; not by on_span. */
 ZS_ALWAYS_INLINE void row_tested(struct zs_job *job, const struct zs_row *row)
 {
+    count_kept(sim_shader_of(job->shader), row->i1 - row->i0);
     tester(job)(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
 }
 
@@ -228,7 +238,8 @@ static int on_rows(struct zs_job *job)
         zs_rows_walk(job, row_tested, 0);
     const double won = written() - before;
     const int affine = job->sub_log2 == ZS_AFFINE && (s->kind == KIND_SMOOTH ||
-                                                      (job->sampler.direct && job->sampler.unlit));
+                                                      (s->kind == KIND_TEXTURE && job->sampler.direct &&
+                                                       job->sampler.unlit));
     if (s->kind == KIND_SOLID && !s->like) {
         sim_now.n[SIM_COST_span_solid] += shape->spans;
         sim_now.n[SIM_COST_px_solid] += shape->px;
@@ -260,6 +271,7 @@ static void on_span(struct zs_job *job, const struct zs_row *row, int32_t i0, in
 {
     const struct our_shader *s = sim_shader_of(job->shader);
     const uint32_t before = written();
+    count_kept(s, i1 - i0);
     sim_now.testing = 1;
     tester(job)(job, row, i0, i1, sum, gx);
     sim_now.testing = 0;
@@ -300,9 +312,12 @@ static void count_alpha_texels(const struct zs_job *job, int32_t n)
 
 void sim_look_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
+    const struct our_shader *s = sim_shader_of(job->shader);
     sim_now.job = job;
     sim_now.own = job->shader;
-    sim_shader_of(job->shader)->of->run(job, row, from, to);
+    sim_look_as(job, s);
+    s->of->run(job, row, from, to);
+    job->shader = &s->shader;
     sim_now.job = NULL;
 }
 
@@ -331,10 +346,12 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
             sim_now.n[SIM_COST_run_smooth_part] +=
                 ((to - 1 - row->x0) >> job->sub_log2) - ((from - row->x0) >> job->sub_log2) + 1;
     }
-    if (has_gloss(job, s))
+    if (sim_look_gloss(job, s))
         sim_now.n[SIM_COST_gloss_px] += to - from;
     if (s->of->span) {
         sim_now.n[s->blends ? SIM_COST_blend_px : SIM_COST_cutout_px] += to - from;
+        if (!s->blends && texels && job->sampler.texture->format->fetch != zs_texel_4444.fetch)
+            sim_now.n[SIM_COST_cutout_pal_px] += to - from;
         sim_now.n[SIM_COST_add_px] += s->adds ? to - from : 0;
         sim_now.n[!s->blends ? SIM_COST_cutout_run : texels ? SIM_COST_blend_texel_run : SIM_COST_blend_run]++;
     }
@@ -370,7 +387,7 @@ static int on_draw(struct zs_job *job)
     }
     sim_now.tested += (uint64_t)shape.px;
     const int texel = s->kind == KIND_TEXTURE;
-    const struct zs_material *material = job->r->scene->instance[job->tri->instance].material;
+    const struct zs_material *material = zs_instance_of(job->r, job->tri->instance)->material;
     sim_now.n[texel ? SIM_COST_setup_small_texel : SIM_COST_setup_small]++;
     sim_now.n[SIM_COST_tilt_small] += shape.tilted;
     sim_now.n[texel ? SIM_COST_row_small_texel : SIM_COST_row_small] += shape.rows;

@@ -17,6 +17,7 @@
 #include "shader_table.h"
 #include "zs_blend.h"
 #include "zs_lights.h"
+#include "zs_pass.h"
 #include "zs_shader.h"
 #include "zs_shadow.h"
 
@@ -34,6 +35,7 @@ struct our_shader {
     int begins; /* flag: how its runs begin is in what its vertices take */
     int own;    /* flag: leaves pixels out, and takes as long for them */
     struct sim_effect_work work;
+    struct sim_shader_made made; /* what it is made of */
 };
 struct our_texel {
     struct zs_texel texel;
@@ -57,6 +59,7 @@ struct thing { /* an instance's copies */
         struct zs_lit_material lit;
         struct zs_shadowed_material shadowed;
         struct zs_shadowed_lit shadowed_lit;
+        struct zs_shadowed_phong shadowed_phong;
     } as;
     struct zs_texture texture;
 };
@@ -104,6 +107,7 @@ struct sim_now {
     const struct zs_tri *method_tri;   /* the triangle whose rows it was handed last, and its last row */
     int32_t method_row;
     uint32_t sorted;                   /* zs_stats.sorted when a list was made last */
+    double windows;    /* pixels of windows that were drawn */
     uint32_t walk;     /* number of the walk, and of ... */
     uint32_t instance; /* ... the instance in hand, UINT32_MAX: none */
 };
@@ -129,8 +133,13 @@ void sim_look_depth(const struct zs_depth *of);
 /* Find the shape of the triangle in hand, and count it as one that is set up the general way. plain: of one colour by
  * an effect; such small ones are in no probe, and count as larger ones. */
 void sim_look_setup(const struct zs_job *job, int plain);
-/* Call the run function that the job's shader stands for. */
+/* Call the run function that the job's shader stands for. A shader that is made of others is the job's meanwhile. */
 void sim_look_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
+static inline void sim_look_as(struct zs_job *job, const struct our_shader *s)
+{
+    if (s->made.is_made)
+        job->shader = s->of;
+}
 /* Is each triangle of a mesh asked what it hides, in a frame so wide? */
 int sim_look_all_asked(uint32_t width, const struct zs_mesh *mesh);
 
@@ -149,10 +158,16 @@ void sim_look_count_method(void);
 void sim_look_effect_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
 /* Of a shader that is an effect's: its work is counted. Where texels are fetched in the general way, those are counted
  * as a texture's. */
-void sim_look_copy_effect(struct our_shader *s, const struct sim_shader_row *row, const struct zs_texture *texture);
+void sim_look_copy_effect(struct our_shader *s, const struct zs_texture *texture);
+/* Count the lamps that reach n pixels of columns [from, to), by some of these columns. */
+void sim_look_lamps(const struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to, double n,
+                    struct our_shader *s);
+/* Have the triangles of a pass's scene highlights on their texture? Of the one that has been set up. */
+int sim_look_gloss(const struct zs_job *job, const struct our_shader *s);
 /* What effects take: their shaders, and hooks over what is drawn. */
-void sim_look_effects(struct sim_counted *out, const struct zs_scene *scene, const struct thing *things,
-                      const struct sim_frame *frame);
+void sim_look_effects(struct sim_counted *out, const struct zs_scene *scene, const struct thing *things);
+/* Its hooks and what lies behind it, in a viewport of w x h px. */
+void sim_look_around(struct sim_counted *out, const struct zs_pass *pass, const struct sim_frame *frame, int hooks);
 
 /* ---- Copies (costs_copy.c) ---------------------------------------------------------------------- */
 

@@ -9,6 +9,7 @@
 #include "method/hiz.h"
 #include "method/order.h"
 #include "method/raycast.h"
+#include "zs_blend.h"
 #include "zs_method.h"
 
 int sim_look_is(const struct zs_method *method)
@@ -114,6 +115,16 @@ static uint16_t on_method_list(struct zs_renderer *r)
     return list;
 }
 
+static uint16_t on_layers_list(struct zs_renderer *r)
+{
+    const uint16_t list = zs_method_transparent.list(r);
+    const double n = r->stats.sorted - sim_now.sorted;
+    sim_now.sorted = r->stats.sorted;
+    if (n > 1.0)
+        sim_now.n[SIM_COST_sorted_log] += n * log2(n);
+    return list;
+}
+
 /* Of the depth mapping, for rays and for triangles that they have hit. */
 static void on_ray_row(struct zs_job *job, const struct zs_row *row)
 {
@@ -123,8 +134,13 @@ static void on_ray_row(struct zs_job *job, const struct zs_row *row)
 
 void sim_look_method(struct zs_config *config)
 {
-    if (!config->method || config->method == &zs_method_transparent)
-        return; /* the depth buffer's stages */
+    if (config->method == &zs_method_transparent) { /* the depth buffer's stages, and a sort */
+        sim_now.method = *config->method;
+        sim_now.method.list = on_layers_list;
+        config->method = &sim_now.method;
+    }
+    if (!config->method || config->method == &sim_now.method)
+        return;
     sim_now.method_of = config->method;
     sim_now.method = *config->method;
     sim_now.method.begin = on_method_begin;

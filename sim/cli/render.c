@@ -561,8 +561,10 @@ int sim_render_scene(struct sim_kept_scene *kept, const struct sim_model *model,
     if (status == SIM_OK && effects && (err = sim_effect_config(&job->effect, &job->config)) != ZS_OK)
         status = refuse_frame(job, err);
     if (status == SIM_OK) {
+        const struct zs_pass whole = { .scene = job->drawn, .camera = &job->scene->camera };
         const struct sim_drawn_scene drawn = {
             .scene = job->drawn,
+            .pass = effects ? job->effect.pass : &whole,
             .camera = effects ? &job->effect.camera : &job->scene->camera,
             .passes = effects ? job->effect.n_passes : 1u,
             .config = job->config,

@@ -34,7 +34,8 @@ void sim_render_free(struct sim_rendered *r);
 struct sim_drawn_scene {
     const struct zs_scene *scene;
     const struct zs_camera *camera;
-    uint32_t passes;                 /* that it is drawn in; scene is that of the first */
+    uint32_t passes;                 /* that it is drawn in; scene is that of the first ... */
+    const struct zs_pass *pass;      /* ... of these; NULL: not known, of a demo scene */
     struct zs_config config;
     long samples;                    /* a pixel: 1 or 4 */
     size_t data_bytes;               /* of the model, as firmware keeps it */

@@ -4,6 +4,8 @@
  */
 #include "shader_table.h"
 
+#include "effect/filter.h"
+#include "effect/layered.h"
 #include "zs_blend.h"
 #include "zs_dither.h"
 #include "zs_environment.h"
@@ -15,18 +17,18 @@
     { &name_, #name_, effect_, SIM_MATERIAL_##material_, 0, vertex_, { __VA_ARGS__ } }
 #define FLAT(name_, effect_, material_, vertex_, ...)                                                             \
     { &name_, #name_, effect_, SIM_MATERIAL_##material_, 1, vertex_, { __VA_ARGS__ } }
-#define PLAIN(name_) ROW(name_, NULL, PLAIN, NULL, NULL)
+#define PLAIN(name_, vertex_, ...) ROW(name_, NULL, PLAIN, vertex_, __VA_ARGS__)
 #define TRANSPARENT(family, one, more, less)                                                                      \
     ROW(zs_##family##_raw, "transparency", BLEND, NULL, one, more, less),                                         \
         FLAT(zs_##family##_flat, "transparency", BLEND, NULL, one, more, less)
 
 static const struct sim_shader_row rows[] = {
-    PLAIN(zs_shade_raw),
-    PLAIN(zs_shade_flat),
-    PLAIN(zs_shade_smooth),
-    PLAIN(zs_shade_texture),
-    PLAIN(zs_shade_texture_flat),
-    PLAIN(zs_shade_texture_smooth),
+    PLAIN(zs_shade_raw, NULL, "raw", "", ""),
+    PLAIN(zs_shade_flat, NULL, "raw", "", ""),
+    PLAIN(zs_shade_smooth, "a vertex: smooth", "smooth", "", ""),
+    PLAIN(zs_shade_texture, "a vertex: texture", "texture", "", ""),
+    PLAIN(zs_shade_texture_flat, "a vertex: texture", "texture_lit", "", ""),
+    PLAIN(zs_shade_texture_smooth, "a vertex: texture_smooth", "texture_smooth", "", ""),
     TRANSPARENT(blend, "blend", "", ""),
     ROW(zs_blend_smooth, "transparency", BLEND, "a vertex: smooth", "blend_smooth", "", ""),
     ROW(zs_blend_texture, "transparency", BLEND, "a vertex: texture", "blend_texture", "", ""),
@@ -39,14 +41,15 @@ static const struct sim_shader_row rows[] = {
     FLAT(zs_add_texture_flat, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
     ROW(zs_add_texture_smooth, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
     TRANSPARENT(stipple, "screen-door", "", ""),
-    ROW(zs_stipple_smooth, "transparency", BLEND, "a vertex: smooth", "smooth", "blend", ""),
-    ROW(zs_stipple_texture, "transparency", BLEND, "a vertex: texture", "texture", "blend", ""),
-    FLAT(zs_stipple_texture_flat, "transparency", BLEND, "a vertex: texture", "texture", "blend", ""),
-    ROW(zs_stipple_texture_smooth, "transparency", BLEND, "a vertex: texture", "texture_lit", "blend", ""),
+    ROW(zs_stipple_smooth, "transparency", BLEND, "a vertex: smooth", "smooth", "screen-door of lit", "lit"),
+    ROW(zs_stipple_texture, "transparency", BLEND, "a vertex: texture", "texture", "screen-door of lit", "lit"),
+    FLAT(zs_stipple_texture_flat, "transparency", BLEND, "a vertex: texture", "texture", "screen-door of lit", "lit"),
+    ROW(zs_stipple_texture_smooth, "transparency", BLEND, "a vertex: texture", "texture_smooth", "screen-door of lit",
+        "lit"),
     ROW(zs_shade_lit, "lamps or highlights", LIT, "a vertex: lit", "lit", "", ""),
     FLAT(zs_shade_lit_face, "lamps or highlights", LIT, "a vertex: lit", "raw", "", ""),
     ROW(zs_shade_texture_lit, "lamps on a texture", LIT, "a vertex: texture_lit", "texture_lit", "", ""),
-    ROW(zs_shade_texture_gloss, "highlights on a texture", LIT, "a vertex: texture_lit", "texture_lit", "", ""),
+    ROW(zs_shade_texture_gloss, "highlights on a texture", LIT, "a vertex: gloss, no highlight", "texture_lit", "", ""),
     ROW(zs_shade_texture_tinted, "coloured lamps on a texture", LIT, "a vertex: texture_gloss_tinted",
         "texture_gloss_tinted", "texture_gloss, no highlight", "texture_gloss"),
     ROW(zs_shade_texture_gloss_tinted, "coloured lamps on a texture", LIT, "a vertex: texture_gloss_tinted",
@@ -72,16 +75,20 @@ static const struct sim_shader_row rows[] = {
     FLAT(zs_shade_cutout_flat, "cut-outs", PLAIN, "a vertex: texture", "cutout, 4444", "", ""),
     ROW(zs_shade_cutout_smooth, "cut-outs", PLAIN, "a vertex: texture", "cutout, 4444", "texture_lit", "texture"),
     ROW(zs_shade_matcap, "an environment", PLAIN, "a vertex: matcap", "matcap", "", ""),
-    ROW(zs_shade_smooth_ordered, "dithering", PLAIN, "a vertex: smooth", "smooth_ordered", "", ""),
-    ROW(zs_shade_smooth_blue, "dithering", PLAIN, "a vertex: smooth", "smooth_ordered", "", ""),
+    ROW(zs_shade_smooth_ordered, "dithering", PLAIN, "a vertex: smooth_ordered", "smooth_ordered", "", ""),
+    ROW(zs_shade_smooth_blue, "dithering", PLAIN, "a vertex: smooth_ordered", "smooth_ordered", "", ""),
     FLAT(zs_shade_shadowed_flat, "a shadow map", SHADOWED, "a vertex: shadowed_smooth", "shadowed_flat", "", ""),
     ROW(zs_shade_shadowed_smooth, "a shadow map", SHADOWED, "a vertex: shadowed_smooth", "shadowed_smooth", "", ""),
     ROW(zs_shade_shadowed_lit, "a lamp's shadow map", SHADOWED_LIT, "a vertex: shadowed_smooth", "shadowed_lit", "",
         ""),
     ROW(zs_shade_shadowed_texture, "a lamp's shadow map on a texture", SHADOWED_LIT, "a vertex: shadowed_smooth",
         "shadowed_texture, soft", "", ""),
+    ROW(zs_shade_shadowed_phong, "shadow maps with light at each pixel", SHADOWED_PHONG, "a vertex: phong, matt",
+        "shadowed_phong", "", ""),
+    ROW(zs_shade_shadowed_texture_phong, "shadow maps with light at each pixel", SHADOWED_PHONG,
+        "a vertex: texture_phong", "shadowed_texture_phong", "", ""),
     ROW(zs_shade_shadow, "flat shadows", PLAIN, NULL, "blend", "raw", ""),
-    ROW(zs_shade_window, "a mirror", PLAIN, NULL, NULL),
+    ROW(zs_shade_window, "a mirror", PLAIN, NULL, "window", "", ""),
 };
 
 const struct sim_shader_row *sim_shader_row_of(const struct zs_shader *shader)
@@ -90,6 +97,50 @@ const struct sim_shader_row *sim_shader_row_of(const struct zs_shader *shader)
         if (rows[i].shader == shader)
             return &rows[i];
     return NULL;
+}
+
+/* The layer that a shader is; NULL: it is none. */
+static const struct zs_layered *layer_of(const struct zs_shader *shader)
+{
+    return shader->run == zs_layer_mix.run || shader->run == zs_layer_add.run || shader->run == zs_layer_door.run
+               ? (const struct zs_layered *)(const void *)shader
+               : NULL;
+}
+
+/* The same of a filter. The filters' own shaders, which have a row, share its runs. */
+static const struct zs_filtered *filter_of(const struct zs_shader *shader)
+{
+    return shader->run == zs_filter_linear.run || shader->run == zs_filter_levels.run ||
+                   shader->run == zs_filter_levels_linear.run
+               ? (const struct zs_filtered *)(const void *)shader
+               : NULL;
+}
+
+void sim_shader_made(struct sim_shader_made *out, const struct zs_shader *shader)
+{
+    const struct zs_layered *layer;
+    const struct zs_filtered *filter;
+    *out = (struct sim_shader_made){ .of = shader };
+    while ((out->row = sim_shader_row_of(out->of)) == NULL) {
+        if ((layer = layer_of(out->of)) != NULL) {
+            out->layer = layer->kind == &zs_layer_mix   ? SIM_LAYER_MIX
+                         : layer->kind == &zs_layer_add ? SIM_LAYER_ADD
+                                                        : SIM_LAYER_DOOR;
+            out->is_fogged = layer->fogged != NULL;
+            out->of = layer->of;
+        } else if ((filter = filter_of(out->of)) != NULL) {
+            out->filter = filter->kind == &zs_filter_linear   ? SIM_KIND_LINEAR
+                          : filter->kind == &zs_filter_levels ? SIM_KIND_LEVELS
+                                                              : SIM_KIND_LEVELS_LINEAR;
+            out->of = filter->of;
+        } else if (out->of->run == zs_shade_smooth_ordered.run || out->of->run == zs_shade_smooth_blue.run) {
+            out->is_dithered = 1; /* of colours at the vertices: lit ones, as the smooth ones have a row */
+            out->of = &zs_shade_lit;
+        } else {
+            return;
+        }
+        out->is_made = 1;
+    }
 }
 
 size_t sim_shader_material_bytes(enum sim_shader_material material)
@@ -103,6 +154,8 @@ size_t sim_shader_material_bytes(enum sim_shader_material material)
         return sizeof(struct zs_shadowed_material);
     case SIM_MATERIAL_SHADOWED_LIT:
         return sizeof(struct zs_shadowed_lit);
+    case SIM_MATERIAL_SHADOWED_PHONG:
+        return sizeof(struct zs_shadowed_phong);
     default:
         return sizeof(struct zs_material);
     }

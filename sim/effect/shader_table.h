@@ -15,7 +15,8 @@ enum sim_shader_material {
     SIM_MATERIAL_BLEND,
     SIM_MATERIAL_LIT,
     SIM_MATERIAL_SHADOWED,
-    SIM_MATERIAL_SHADOWED_LIT
+    SIM_MATERIAL_SHADOWED_LIT,
+    SIM_MATERIAL_SHADOWED_PHONG
 };
 
 struct sim_shader_row {
@@ -31,6 +32,20 @@ struct sim_shader_row {
 
 /* NULL: not one of the renderer's. */
 const struct sim_shader_row *sim_shader_row_of(const struct zs_shader *shader);
+
+/* What a shader that a program has made of others is made of. */
+enum sim_layer_kind { SIM_LAYER_NONE, SIM_LAYER_MIX, SIM_LAYER_ADD, SIM_LAYER_DOOR };
+enum sim_filter_kind { SIM_KIND_NEAREST, SIM_KIND_LINEAR, SIM_KIND_LEVELS, SIM_KIND_LEVELS_LINEAR };
+struct sim_shader_made {
+    const struct sim_shader_row *row; /* what is drawn in the end; NULL: a program's own, or unknown */
+    const struct zs_shader *of;       /* that shader */
+    enum sim_layer_kind layer;
+    enum sim_filter_kind filter;
+    int is_made, is_fogged, is_dithered; /* flags: there is any of it; the layer has fog; colours are dithered */
+};
+
+/* Look through layers (struct zs_layered), filters (struct zs_filtered) and dithered copies. */
+void sim_shader_made(struct sim_shader_made *out, const struct zs_shader *shader);
 
 /* Bytes of the struct that a material of that kind begins. */
 size_t sim_shader_material_bytes(enum sim_shader_material material);

@@ -5,11 +5,13 @@
 #include "accuracy.h"
 #include "commands.h"
 #include "costs_fit.h"
+#include "looks_error.h"
 #include "sim.h"
 
 static const struct sim_command commands[] = {
     { "accuracy", "how exact the renderer is: a table, measured", sim_accuracy },
     { "costs", "what each stage of the renderer costs on a core", sim_costs },
+    { "looks", "how far that is from frames with effects and several passes", sim_looks },
 };
 
 int main(int argc, char **argv)

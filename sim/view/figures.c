@@ -50,12 +50,7 @@ void view_figures_count(struct view_figures *f, const struct view_shot *shot)
     rq->has_verts = view_words_get(&shot->words, "--verts") != NULL;
     sim_quiet++;
     rq->kept = shot->kept;
-    const struct demo *demo = of_model ? NULL : sim_demo_named(rq->scene);
-    int status = SIM_OK;
-    if (demo != NULL && sim_demo_piece(demo) != NULL)
-        budget_frame(b, rq, &shot->seen.config, &shot->seen.frame.stats);
-    else
-        status = of_model ? budget_model(b, rq, &shot->model) : budget_scene(b, rq);
+    int status = of_model ? budget_model(b, rq, &shot->model) : budget_scene(b, rq);
     if (status == SIM_OK)
         status = budget_take(b, rq);
     sim_quiet--;

@@ -22,25 +22,11 @@ static int draw(struct sim_rendered *out, const struct sim_options *o)
                              : web_model_draw(out, NULL, &web.model, o);
 }
 
-/* The pools that a frame takes, which is all that is known of a showpiece. */
-static int count_frame(struct budget *b, const struct budget_request *rq)
-{
-    struct sim_rendered drawn;
-    const int status = draw(&drawn, &rq->o);
-    if (status != SIM_OK)
-        return status;
-    budget_frame(b, rq, &drawn.config, &drawn.frame.stats);
-    sim_render_free(&drawn);
-    return SIM_OK;
-}
-
-static int count(struct budget *b, struct budget_request *rq, int piece)
+static int count(struct budget *b, struct budget_request *rq)
 {
     memset(b, 0, sizeof *b);
     b->method = &sim_methods[rq->o.method];
-    const int status = piece               ? count_frame(b, rq)
-                       : web.scene != NULL ? budget_scene(b, rq)
-                                           : budget_model(b, rq, &web.model);
+    const int status = web.scene != NULL ? budget_scene(b, rq) : budget_model(b, rq, &web.model);
     if (status != SIM_OK)
         return status;
     return budget_take(b, rq);
@@ -90,7 +76,6 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     const double wire = budget_wire_ms(rq, b, p);
     struct budget_totals t;
     budget_totals(&t, rq, b, p->core, p->mhz, wire);
-    t.draw_ms = piece ? (double)NAN : t.draw_ms;
     t.flash = effects ? (double)NAN : t.flash;
     (void)fprintf(f, "{\"name\":\"%s\",\"core\":\"%s\",\"text\":", p->name,
                   sim_core_names[p->core]);
@@ -107,13 +92,10 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     (void)fprintf(f, ",\"limit\":\"%s\",\"ramFits\":%s,\"flashFits\":%s",
                   wire > t.draw_ms ? "wire" : "drawing", t.ram <= p->ram ? "true" : "false",
                   t.flash > p->flash ? "false" : "true");
-    if (isnan(t.draw_ms) && n->unknown != NULL && !piece)
+    if (isnan(t.draw_ms) && n->unknown != NULL)
         (void)fprintf(f, ",\"why\":\"Not known: what %s takes was not measured.\"", n->unknown);
     else if (isnan(t.draw_ms))
-        (void)fprintf(f, ",\"why\":\"%s\"",
-                      piece
-                          ? "Not known: this scene has passes and shaders of its own; make pico measures it."
-                          : "Of numbers alone there is no estimate for this method.");
+        (void)fputs(",\"why\":\"Of numbers alone there is no estimate for this method.\"", f);
     (void)fputs("}", f);
 }
 
@@ -141,7 +123,7 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
         rq.o.spi_hz = sim_panel_hz(panel, SIM_PANEL_HZ);
     }
     const int piece = web.scene != NULL && sim_demo_piece(web.scene) != NULL;
-    if (web.name == NULL || count(&b, &rq, piece) != SIM_OK)
+    if (web.name == NULL || count(&b, &rq) != SIM_OK)
         return NULL;
     FILE *f = answer_begin();
     (void)fputs("{", f);

@@ -187,7 +187,8 @@ static int put_material(struct image *im, const struct zs_material *m, uint32_t 
     int status = SIM_OK;
     if (m->primitive != NULL)
         return sim_refuse(web.name, 0, "lines and points are not in the prebuilt show; leave --style solid");
-    if (row == NULL || row->material == SIM_MATERIAL_SHADOWED_LIT)
+    if (row == NULL || row->material == SIM_MATERIAL_SHADOWED_LIT ||
+        row->material == SIM_MATERIAL_SHADOWED_PHONG)
         return sim_refuse(web.name, 0, "this shading is not in the prebuilt show; make a project with zsim new");
     if (is_made(im, m, sim_shader_material_bytes(row->material), at))
         return SIM_OK;

@@ -12,7 +12,8 @@ WEB_SIM = $(wildcard $(patsubst %,sim/%/*.c,effect frame compare reference panel
               quantise.c quantise_file.c quantise_textures.c quantise_view.c resample.c scene_parts.c simplify.c \
               texel_pack.c) \
           $(addprefix sim/budget/,budget_figures.c budget_parts.c budget_scene.c budget_times.c costs.c costs_copy.c \
-              costs_count.c costs_effect.c costs_error.c costs_look.c costs_method.c costs_shape.c effect_costs.c) \
+              costs_count.c costs_effect.c costs_error.c costs_lamps.c costs_look.c costs_method.c costs_shape.c \
+              effect_costs.c) \
           firmware/scenes/gen/font.c
 # meshoptimizer: the source of the library that zsim is linked with, so that models get the same meshes
 MESHOPT = $(B)/web/meshoptimizer/source/src

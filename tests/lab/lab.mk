@@ -108,6 +108,9 @@ effects: $(B)/.setup-test $(B)/gen/meshes.h
 effects-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/effects.sh $(B) record >$(B)/effects.txt && mv $(B)/effects.txt tests/records/effects.txt && \
 	    sh tests/lab/effects.sh $(B) header >$(B)/effects.h && mv $(B)/effects.h sim/budget/record_effects.h
+## looks: how far estimates of effects together, of mirrors and of showpieces are from what these take on M3 and M0
+looks: lab $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/looks.sh $(B)
 ## gallery: build/gallery/index.html, every method on one page, with instructions on a Cortex-M3
 gallery: sim methods
 	@$(B)/zsim gallery --out $(B)/gallery --m3 $(B)/methods/mps2.csv
@@ -145,7 +148,7 @@ records-age:
         accelerators accelerators-record \
         stopwatch scale costs costs-record still cull methods methods-record methods-worlds methods-worlds-record \
         methods-lines methods-lines-record \
-        effects effects-record gallery depth hiz accuracy fuzz-programs lib-fuzz-programs stress-programs
+        effects effects-record looks gallery depth hiz accuracy fuzz-programs lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer

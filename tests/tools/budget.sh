@@ -439,7 +439,6 @@ no parts 1 '--part nrf52: which of them? There are nrf52832, nrf52840' --part nr
 no fits 1 '--fit stm32f103: which of them? There are stm32f103c8, stm32f103rc' --fit stm32f103
 no fit 1 '--fit z80: there is no such part' --fit z80
 no fit_none 1 'not even one triangle fits' --fit nrf51822 --size 240x240 --strip 240
-no piece 1 '--scene forest: it has effects, whose time is not estimated' --scene forest
 no scene 1 '--scene moon: there is no such scene; there are teapot, cubes' --scene moon
 no model 1 'none.obj' none.obj
 no panel 1 '--panel oled is not known; there are st7789:240x240' --panel oled

@@ -8,14 +8,18 @@
  * SPDX-License-Identifier: MIT
  */
 #include "../card.h"
+#include "backdrop.h"
 #include "hal.h"
 #include "report.h"
 #include "zs_blend.h"
 #include "zs_dither.h"
 #include "zs_environment.h"
+#include "zs_fast.h"
 #include "zs_filter.h"
 #include "zs_fog.h"
 #include "zs_lights.h"
+#include "zs_overlay.h"
+#include "zs_pass.h"
 #include "zs_shadow.h"
 #include "zs_supersample.h"
 
@@ -43,6 +47,12 @@ static int16_t pos[4][3], uv[4][2];
 static const struct zs_mesh card = CARD(pos, normal, uv, 15, 4000);
 
 static const struct zs_mesh *shape = &card; /* what is drawn */
+static const struct zs_background *backdrop;
+static struct zs_pass_memory memory[2];
+static int behind; /* flag: a pass without instances is seen in windows */
+static const struct zs_material *before; /* of a card in front of the one that is drawn; NULL: there is none */
+static struct zs_mirror mirror;
+static int mirrored; /* 1: what is drawn is seen in a mirror, by a second pass; 2: in that pass, without */
 
 /* A card of w px at the left; a texel is `size` 1/16 px. The camera sees a world unit as a px at distance 120. */
 static void cut(int32_t w, int32_t size)
@@ -62,9 +72,13 @@ static void cut(int32_t w, int32_t size)
 static uint64_t taken(const struct zs_material *material, const struct zs_resolve *hook, int samples, uint64_t *sum,
                       int *err)
 {
-    const struct zs_instance instance = { .mesh = shape, .material = material };
+    const struct zs_instance instance[2] = {
+        { .mesh = &card, .material = before, .pose.pos = { 0, 0, 1 } },
+        { .mesh = shape, .material = material, .pose.pos = { 0, 0, mirrored == 2 ? -H : 0 } }
+    };
     const struct zs_scene scene = {
-        .instance = &instance, .n_instances = 1, .resolve = hook, .n_resolves = hook != 0
+        .instance = before ? instance : &instance[1], .n_instances = before ? 2 : 1, .resolve = hook,
+        .n_resolves = hook != 0, .sky = backdrop
     };
     const struct zs_sink sink = { .submit = sum ? report_hash : report_drop, .ctx = sum };
     struct zs_renderer *r = samples > 1 ? &fine : &screen;
@@ -77,7 +91,16 @@ static uint64_t taken(const struct zs_material *material, const struct zs_resolv
     if (samples > 1)
         *err = *err ? *err : zs_supersample_init(&fine_2x2, &fine, &sink);
     const uint64_t start = hal_ticks();
-    *err = *err ? *err : zs_render(r, &scene, &camera, samples == 4 ? &fine_2x2.sink : &sink);
+    const struct zs_scene empty = { .n_instances = 0 };
+    const struct zs_pass pass[2] = { { .scene = &scene, .camera = &camera },
+                                     { .scene = &empty, .camera = &camera, .mask = &zs_mask_window } },
+                         again[2] = { { .scene = &empty, .camera = &camera },
+                                      { .scene = &scene, .camera = &camera,
+                                        .mirror = mirrored == 1 ? &mirror : 0 } };
+    *err = *err       ? *err
+           : behind   ? zs_render_passes(r, pass, memory, 2, &sink)
+           : mirrored ? zs_render_passes(r, again, memory, 2, &sink)
+                      : zs_render(r, &scene, &camera, samples == 4 ? &fine_2x2.sink : &sink);
     const uint32_t a_tick = hal_tick_instructions();
     return (hal_ticks() - start) * (a_tick ? a_tick : CYCLES_A_TICK);
 }
@@ -88,6 +111,9 @@ static const struct zs_lamp lamp[1] = { { .dir = { 0, 0, ZS_Q30_ONE } } };
 static const struct zs_lamp point[1] = { { .kind = ZS_LAMP_POINT, .pos = { 0, 0, 40 } } };
 static const struct zs_lamp beside[1] = { { .dir = { 0, 1069655912, 93578768 } } }; /* no highlight reaches the eye */
 static const struct zs_lighting beside_light = { .lamp = beside, .n_lamps = 1 };
+static const struct zs_lamp away[2] = { { .dir = { 0, 0, -ZS_Q30_ONE } }, { .dir = { 0, 0, -ZS_Q30_ONE } } };
+static const struct zs_lighting dark_light = { .lamp = away, .n_lamps = 1 },
+                                dark_lights = { .lamp = away, .n_lamps = 2 };
 static const struct zs_lighting far_light = { .lamp = lamp, .n_lamps = 1 },
                                 near_light = { .lamp = point, .n_lamps = 1 };
 static struct zs_shine shine;
@@ -174,6 +200,29 @@ static void vertex_row(const char *name, const struct zs_material *material)
     shape = &card;
 }
 
+/* A triangle with its vertices in a mirror, beside one in a pass without, where accelerators walk the scene. */
+static void mirror_row(const char *name)
+{
+    static const struct zs_fast *const frame_alone[] = { ZS_FAST_FRAME, ZS_FAST_END };
+    const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xc08040), .cull = ZS_CULL_NONE };
+    static const int32_t at[3] = { 0, 0, -H }, facing[3] = { 0, 0, 1 };
+    uint64_t frame[2][2], sum;
+    int err = zs_mirror_plane(&mirror, at, facing);
+    shape = &sheet;
+    screen_config.fast = frame_alone;
+    for (uint16_t fine_one = 0; fine_one < 2; fine_one++) {
+        sheet_set((uint16_t)(fine_one ? SIDE : SIDE / 2));
+        for (mirrored = 1; mirrored < 3; mirrored++)
+            frame[mirrored - 1][fine_one] = taken(&raw, 0, 1, 0, &err);
+    }
+    mirrored = 1;
+    (void)taken(&raw, 0, 1, &sum, &err);
+    mirrored = 0;
+    screen_config.fast = 0;
+    shape = &card;
+    print(name, frame[0][1] - frame[0][0] - (frame[1][1] - frame[1][0]), 2 * (SIDE * SIDE - SIDE * SIDE / 4), sum, err);
+}
+
 /* A hook, over every pixel of a frame that the card covers, by leaving it out. */
 static void hook_row(const char *name, const struct zs_resolve *hook)
 {
@@ -184,6 +233,40 @@ static void hook_row(const char *name, const struct zs_resolve *hook)
     const uint64_t with = taken(&raw, hook, 1, 0, &err);
     (void)taken(&raw, hook, 1, &sum, &err);
     print(name, with - taken(&raw, 0, 1, 0, &err), W * H, sum, err);
+}
+
+/* What lies behind everything, and a pass that is seen in windows, by the pixel of the frame. */
+static void behind_row(const char *name, const struct zs_background *sky)
+{
+    const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xc08040) };
+    int err = 0;
+    uint64_t sum;
+    cut(W, 16);
+    const uint64_t without = taken(&raw, 0, 1, 0, &err);
+    backdrop = sky;
+    behind = !sky;
+    const uint64_t with = taken(&raw, 0, 1, 0, &err);
+    (void)taken(&raw, 0, 1, &sum, &err);
+    backdrop = 0;
+    behind = 0;
+    print(name, with - without, W * H, sum, err);
+}
+
+/* An item of an overlay, by the pixel of the rectangle that holds it. */
+static void item_row(const char *name, const struct zs_item *item)
+{
+    const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xc08040) };
+    struct zs_overlay none = { .n = 0 }, overlay = { .item = item, .n = 1 };
+    const struct zs_resolve hook[2] = { { .draw = zs_overlay_draw, .ctx = &none },
+                                        { .draw = zs_overlay_draw, .ctx = &overlay } };
+    int err = zs_overlay_check(&overlay);
+    int32_t box[4];
+    uint64_t sum;
+    item->kind->bounds(item, box);
+    cut(W, 16);
+    const uint64_t with = taken(&raw, &hook[1], 1, 0, &err);
+    (void)taken(&raw, &hook[1], 1, &sum, &err);
+    print(name, with - taken(&raw, &hook[0], 1, 0, &err), (uint32_t)((box[2] - box[0]) * (box[3] - box[1])), sum, err);
 }
 
 #define PLAIN(name_, shader_)                                                                                         \
@@ -254,6 +337,7 @@ static void made(void)
     LIT("texture_gloss, bilinear", soft.shader, far_light, &shine, white)
     PHONG_MAPPED("shadowed_phong", zs_shade_shadowed_phong, far_light, map)
     PHONG_MAPPED("shadowed_phong, point", zs_shade_shadowed_phong, above_light, cone)
+    PHONG_MAPPED("shadowed_phong, dark", zs_shade_shadowed_phong, dark_light, map)
     PHONG_MAPPED("shadowed_texture_phong", zs_shade_shadowed_texture_phong, far_light, map)
     if (err)
         hal_write("# FAILED: layers and filters\n");
@@ -272,6 +356,12 @@ static void colors(void)
     LIT("phong, matt", zs_shade_phong, far_light, 0, none)
     LIT("phong, shining", zs_shade_phong, far_light, &shine, white)
     LIT("phong_near, point", zs_shade_phong_near, near_light, &shine, white)
+    LIT("phong, no highlight", zs_shade_phong, beside_light, &shine, white)
+    LIT("phong by two, dark", zs_shade_phong, dark_lights, &shine, white)
+    LIT("phong_near, dark", zs_shade_phong_near, dark_light, &shine, white)
+    LIT("phong_near, two dark", zs_shade_phong_near, dark_lights, &shine, white)
+    LIT("phong_near, matt", zs_shade_phong_near, far_light, 0, none)
+    LIT("phong_near, shining", zs_shade_phong_near, far_light, &shine, white)
     PLAIN("smooth_ordered", zs_shade_smooth_ordered)
     MAPPED("shadowed_flat", zs_shade_shadowed_flat)
     MAPPED("shadowed_smooth", zs_shade_shadowed_smooth)
@@ -297,12 +387,21 @@ static void textures(void)
     LIT("texture_gloss, no highlight", zs_shade_texture_gloss, beside_light, &shine, white)
     LIT("texture_gloss_tinted", zs_shade_texture_gloss_tinted, far_light, &shine, white)
     LIT("texture_phong", zs_shade_texture_phong, far_light, &shine, white)
+    LIT("texture_phong, dark", zs_shade_texture_phong, dark_light, &shine, white)
     LAMP_MAPPED("shadowed_texture, soft", zs_shade_shadowed_texture, far_light, map)
     LAMP_MAPPED("shadowed_texture, point", zs_shade_shadowed_texture, above_light, cone)
     made();
     BLEND("blend_texture_smooth", zs_blend_texture_smooth)
     texture.format = &zs_texel_4444;
     PLAIN("cutout, 4444", zs_shade_cutout)
+    const struct zs_material front = { .shader = &zs_shade_raw };
+    before = &front;
+    PLAIN("raw, hidden", zs_shade_raw)
+    PLAIN("cutout, hidden", zs_shade_cutout)
+    before = 0;
+    texture.format = &zs_texel_pal8a;
+    PLAIN("cutout, pal8a", zs_shade_cutout)
+    texture.format = &zs_texel_4444;
     PLAIN("cutout_smooth, 4444", zs_shade_cutout_smooth)
 }
 
@@ -321,8 +420,82 @@ static void hooks(void)
     print("4 samples averaged", averaged - taken(&raw, 0, 3, 0, &err), W / 2 * (H / 2), sum, err);
 }
 
+static void plain_fragment(const struct zs_instance *instance, struct zs_fragment *f)
+{
+    (void)instance;
+    *f->color = (uint16_t)(*f->color + (f->v[0] ^ f->v[1]));
+}
+
+static void plain_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = (uint16_t)(s->instance->mesh->normal[v][k] + 32768);
+}
+
+static const struct zs_shader own = { .vertex = plain_vertex, .fragment = plain_fragment, ZS_FRAGMENTS,
+                                      .n_varyings = 3 };
+
+/* What lies behind, on top, and in windows; a fragment stage of a program's own. */
+static void around(void)
+{
+    static struct zs_sky_gradient gradient;
+    static struct zs_sky panorama;
+    static const struct zs_rgb color[4] = { ZS_RGB(0x102040), ZS_RGB(0x80a0c0), ZS_RGB(0x404020), ZS_RGB(0x201008) };
+    static uint16_t picture[32 * 32];
+    static const struct zs_rect whole = { 0, 0, W, H };
+    static const struct zs_sprite sprite = { .pixel = picture, .w = 32, .h = 32, .format = ZS_SPRITE_565 };
+    static const struct zs_item item[] = {
+        { .kind = &zs_item_fill, .x = 20, .y = 20, .w = 100, .h = 80, .color = 0x1234 },
+        { .kind = &zs_item_sprite, .x = 20, .y = 20, .sprite = &sprite },
+        { .kind = &zs_item_text, .x = 8, .y = 20, .color = 0xffff, .text = "A line of text, some 8." },
+        { .kind = &zs_item_arc, .x = 80, .y = 60, .w = 40, .h = 6, .color = 0x1234, .back = 0x4321, .value = 40000 },
+        { .kind = &zs_item_arc, .x = 80, .y = 60, .w = 40, .color = 0x1234, .value = 65535 },
+        { .kind = &zs_item_needle, .x = 80, .y = 60, .w = 40, .h = 6, .color = 0x1234, .size = 6, .value = 9000 },
+        { .kind = &zs_item_ticks, .x = 80, .y = 60, .w = 40, .h = 6, .color = 0x1234, .value = 8 },
+    };
+    static const char *const name[] = { "an overlay's fill", "an overlay's sprite", "an overlay's text",
+                                        "an overlay's ring", "an overlay's disc", "an overlay's needle",
+                                        "an overlay's ticks" };
+    struct zs_camera camera;
+    int err = zs_camera_perspective(&camera, ZS_DEGREES(90), H, 8, 4000);
+    zs_sky_gradient(&gradient, color);
+    zs_sky_look(&gradient.sky, &camera, &whole, 0);
+    err = err ? err : zs_sky_panorama(&panorama, &texture, 8000, -8000);
+    zs_sky_look(&panorama, &camera, &whole, 0);
+    if (err)
+        hal_write("# FAILED: skies\n");
+    struct backdrop glow;
+    const struct zs_background mine = { .fill = backdrop_glow_fill, .ctx = &glow };
+    backdrop_colors(&glow, color[0], color[1]);
+    backdrop_glow(&glow, W, H, 7, 5, 44);
+    behind_row("a sky of one's own", &mine);
+    mirror_row("a triangle in a mirror");
+    behind_row("a sky of a gradient", &gradient.sky.background);
+    behind_row("a sky of a panorama", &panorama.background);
+    behind_row("a pass in windows", 0);
+    for (uint32_t i = 0; i < sizeof item / sizeof item[0]; i++)
+        item_row(name[i], &item[i]);
+    texture.format = &zs_texel_565;
+    PLAIN("window", zs_shade_window)
+    PLAIN("a fragment of one's own", own)
+}
+
 /* The same shaders by the vertex. */
 #define row vertex_row
+static void made_vertices(void)
+{
+    static struct zs_layered layer;
+    static const struct zs_rgb none = ZS_RGB(0);
+    int err = zs_layered_set(&layer, &zs_shade_lit, &zs_layer_mix, 100);
+    LIT("a vertex: a layer of lit", layer.shader, far_light, 0, none)
+    zs_layered_fog(&layer, &fog);
+    LIT("a vertex: a layer of lit, in fog", layer.shader, far_light, 0, none)
+    err |= zs_layered_set(&layer, &zs_shade_lit, &zs_layer_door, 100);
+    LIT("a vertex: screen-door of lit", layer.shader, far_light, 0, none)
+    if (err)
+        hal_write("# FAILED: layers\n");
+}
+
 static void vertices(void)
 {
     const struct zs_rgb white = ZS_RGB(0xffffff);
@@ -331,6 +504,7 @@ static void vertices(void)
     PLAIN("a vertex: texture", zs_shade_texture)
     LIT("a vertex: lit", zs_shade_lit, far_light, 0, ((struct zs_rgb){ 0 }))
     LIT("a vertex: lit, shining", zs_shade_lit, far_light, &shine, white)
+    LIT("a vertex: lit, dark", zs_shade_lit, dark_light, &shine, white)
     LIT("a vertex: lit, point", zs_shade_lit, near_light, 0, ((struct zs_rgb){ 0 }))
     LIT("a vertex: phong, matt", zs_shade_phong, far_light, 0, ((struct zs_rgb){ 0 }))
     LIT("a vertex: texture_lit", zs_shade_texture_lit, far_light, 0, ((struct zs_rgb){ 0 }))
@@ -343,6 +517,9 @@ static void vertices(void)
     PLAIN("a vertex: bilinear", zs_shade_bilinear)
     MAPPED("a vertex: shadowed_smooth", zs_shade_shadowed_smooth)
     BLEND("a vertex: blend_smooth", zs_blend_smooth)
+    PLAIN("a vertex: smooth_ordered", zs_shade_smooth_ordered)
+    PLAIN("a vertex: a fragment of one's own", own)
+    made_vertices();
     texture.format = &zs_texel_4444;
     BLEND("a vertex: blend_texture_smooth", zs_blend_texture_smooth)
     PLAIN("a vertex: cutout_smooth", zs_shade_cutout_smooth)
@@ -393,6 +570,7 @@ int main(void)
     colors();
     textures();
     hooks();
+    around();
     vertices();
     hal_exit(0);
 }
