@@ -83,13 +83,15 @@ struct zs_filtered {
 /* Set a filtered shader.
  *
  * filtered  kept by the caller, not moved while it is drawn.
- * of        what it is; not of zs_shade_cutout, zs_blend_ and zs_stipple_, zs_shade_texture_tinted,
- *           nor one of this header: they read texels in their own way. To blend: struct zs_layered.
+ * of        what it is: zs_shade_texture, _flat, _smooth, _lit, _gloss, _gloss_tinted, _phong,
+ *           zs_shade_shadowed_texture, _phong, zs_shade_matcap, or a copy of one.
  * kind      one of those above. Each is linked only when named.
  * Cost      of a pixel: what `of` takes, and what the filter takes more than zs_shade_texture.
- * Return    ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE: `of` is none that can be: filtered is untouched. What
- *           is drawn with it is refused, ZS_ERR_TEXTURE, where a texture has levels that it cannot
- *           have. */
+ * Return    ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE: `of` is another: one without a texture, or one that
+ *           reads texels in its own way (this header's filters and cut-outs, a filtered shader,
+ *           zs_blend_ and zs_stipple_, for which there is struct zs_layered, tinted): filtered is
+ *           untouched. What is drawn with it is refused, ZS_ERR_TEXTURE, where a texture has levels
+ *           that it cannot have. */
 ZS_NODISCARD int zs_filtered_set(struct zs_filtered *filtered, const struct zs_shader *of,
                                  const struct zs_filter_kind *kind);
 

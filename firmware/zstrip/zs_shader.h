@@ -81,7 +81,8 @@ struct zs_shader {
     uint8_t opaque;     /* 1: the shader colours every pixel that has passed the depth test, and
                            does not read its old colour; accelerators may leave out what it covers.
                            0 is right for every shader: from the first such instance on, the frame
-                           is drawn without the accelerator `tiles` */
+                           is drawn without the accelerator `tiles`. The library's textured ones
+                           have 3, by which zs_filtered_set (zs_filter.h) knows them */
     uint8_t by_fragment; /* set by ZS_FRAGMENTS */
     uint8_t layer;       /* set by ZS_LAYER (zs_blend.h): drawn last by zs_method_transparent */
 };

@@ -11,10 +11,12 @@
 #include "picture.h"
 #include "shapes.h"
 #include "zs_blend.h"
+#include "zs_dither.h"
 #include "zs_environment.h"
 #include "zs_filter.h"
 #include "zs_fog.h"
 #include "zs_lights.h"
+#include "zs_shadow.h"
 
 #define W 72
 #define H 56
@@ -397,6 +399,14 @@ static void refusals(void **state)
     assert_int_equal(zs_filtered_set(&filtered, &zs_shade_cutout, &zs_filter_linear), ZS_ERR_RANGE);
     assert_int_equal(zs_filtered_set(&filtered, &zs_shade_texture_tinted, &zs_filter_linear), ZS_ERR_RANGE);
     assert_int_equal(zs_filtered_set(&filtered, &zs_blend_texture, &zs_filter_linear), ZS_ERR_RANGE);
+    static const struct zs_shader *const others[] = {
+        &zs_shade_bilinear, &zs_shade_bilinear_flat, &zs_shade_bilinear_smooth, &zs_shade_mipmap,
+        &zs_shade_mipmap_flat, &zs_shade_mipmap_smooth, &zs_shade_mipmap_bilinear, &zs_shade_mipmap_bilinear_flat,
+        &zs_shade_mipmap_bilinear_smooth, &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth, &zs_shade_lit,
+        &zs_shade_phong, &zs_shade_shadowed_lit, &zs_shade_window, &zs_shade_smooth_ordered
+    };
+    for (size_t k = 0; k < sizeof others / sizeof others[0]; k++)
+        assert_int_equal(zs_filtered_set(&filtered, others[k], &zs_filter_linear), ZS_ERR_RANGE);
     assert_int_equal(zs_filtered_set(&filtered, &zs_shade_texture_gloss, &zs_filter_levels), ZS_OK);
     assert_int_equal(zs_filtered_set(&again, &filtered.shader, &zs_filter_linear), ZS_ERR_RANGE);
     assert_int_equal(zs_layered_set(&layer, &filtered.shader, &zs_layer_mix, 9), ZS_OK);

@@ -13,8 +13,10 @@
  * All ways compute the same. In a cell a pixel takes 17 instructions on a Cortex-M3, of which 15
  * are the least: two weights, three products and three masks, a difference and a shift with a sum,
  * three to pack and store, two steps. To unpack a cell takes 85 more; where each pixel has its own,
- * 54 in all, of which 42 are the least: 9 for four addresses, 4 loads, 12 to unpack, 17 for the
- * rest.
+ * 54 in all. Of these 45 are the least: 10 for two rows and two columns, 4 loads, 12 to unpack, 17
+ * as above, 2 of the loop. 7 more load what 13 registers do not hold beside texels and sums: both
+ * steps, three shifts or sizes each way, the end. The other 2 are sums that a pointer for each row
+ * would save, which is slower on a Cortex-M0.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -44,9 +44,10 @@ int zs_filtered_set(struct zs_filtered *filtered, const struct zs_shader *of,
 {
     if (!filtered || !of || !of->run || !kind)
         return ZS_ERR_NULL;
-    if (of->start == start || of->span || of->layer || of->by_fragment || !of->start || !of->check)
+    if (of->span || of->opaque != ZS_TEXTURED)
         return ZS_ERR_RANGE;
     filtered->shader = *of;
+    filtered->shader.opaque = 1; /* it is filtered once */
     filtered->shader.start = start;
     filtered->shader.run = kind->run;
     filtered->shader.check = check;

@@ -12,7 +12,7 @@
 
 #define GLOSS(of, n)                                                                               \
     .vertex = of##_vertex, .start = of##_start, .run = of##_run, .check = zs_lit_texture_check,    \
-    .n_varyings = (n), .opaque = 1
+    .n_varyings = (n), .opaque = ZS_TEXTURED
 
 /* ---- By luminance ---------------------------------------------------------------------------- */
 

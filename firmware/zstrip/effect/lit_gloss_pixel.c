@@ -48,7 +48,7 @@ static void pixel_run(struct zs_job *job, const struct zs_row *row, int32_t from
 const struct zs_shader zs_shade_texture_phong = {
     .vertex = zs_gloss_phong_vertex, .face = zs_phong_face, .start = zs_gloss_phong_start,
     .run = pixel_run, .check = zs_lit_texture_check, .n_varyings = ZS_VARYINGS_TEXTURE_PHONG,
-    .opaque = 1
+    .opaque = ZS_TEXTURED
 };
 #else
 const struct zs_shader zs_shade_texture_phong = ZS_GLOSS_REFUSED(ZS_VARYINGS_TEXTURE_PHONG);

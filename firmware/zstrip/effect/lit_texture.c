@@ -38,9 +38,8 @@ static void lit_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 }
 
 const struct zs_shader zs_shade_texture_lit = {
-    .vertex = lit_vertex, .start = zs_texture_start, .run = zs_texture_run,
-    .check = zs_lit_texture_check, .light = zs_texture_light, .n_varyings = ZS_VARYINGS_LIT,
-    .opaque = 1
+    .vertex = lit_vertex, .start = zs_texture_start, .run = zs_texture_run, .opaque = ZS_TEXTURED,
+    .check = zs_lit_texture_check, .light = zs_texture_light, .n_varyings = ZS_VARYINGS_LIT
 };
 
 /* ---- Colours --------------------------------------------------------------------------------- */

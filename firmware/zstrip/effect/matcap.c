@@ -55,5 +55,5 @@ static int matcap_check(const struct zs_instance *in, const struct zs_config *co
 
 const struct zs_shader zs_shade_matcap = {
     .vertex = matcap_vertex, .start = zs_texture_start, .run = zs_texture_run,
-    .check = matcap_check, .n_varyings = ZS_VARYINGS_TEXTURE, .opaque = 1
+    .check = matcap_check, .n_varyings = ZS_VARYINGS_TEXTURE, .opaque = ZS_TEXTURED
 };

@@ -219,7 +219,7 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t fr
 
 const struct zs_shader zs_shade_shadowed_texture = {
     .vertex = texture_vertex, .start = texture_start, .run = texture_run, .check = texture_check,
-    .n_varyings = ZS_VARYINGS_SHADOWED_TEXTURE, .opaque = 1
+    .n_varyings = ZS_VARYINGS_SHADOWED_TEXTURE, .opaque = ZS_TEXTURED
 };
 #else
 const struct zs_shader zs_shade_shadowed_texture = {

@@ -150,7 +150,7 @@ static int texture_check(const struct zs_instance *in, const struct zs_config *c
 const struct zs_shader zs_shade_shadowed_texture_phong = {
     .vertex = zs_gloss_phong_vertex, .face = zs_phong_face, .start = zs_gloss_phong_start,
     .run = texture_run, .check = texture_check, .n_varyings = ZS_VARYINGS_SHADOWED_TEXTURE_PHONG,
-    .opaque = 1
+    .opaque = ZS_TEXTURED
 };
 #else
 const struct zs_shader zs_shade_shadowed_texture_phong =

@@ -277,7 +277,7 @@ void zs_texture_start(struct zs_job *job)
 #define TEXTURE(vertex_, face_, check_, light_, n)                                                 \
     {                                                                                              \
         .vertex = vertex_, .face = face_, .start = zs_texture_start, .run = zs_texture_run,        \
-        .check = check_, .light = light_, .n_varyings = n, .opaque = 1                             \
+        .check = check_, .light = light_, .n_varyings = n, .opaque = ZS_TEXTURED                   \
     }
 
 const struct zs_shader zs_shade_texture = TEXTURE(zs_texture_vertex, 0, zs_texture_usable, 0,

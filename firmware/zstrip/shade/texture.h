@@ -9,6 +9,10 @@
 #include "zs_shader.h"
 #include "shade/persp.h"
 
+/* zs_shader.opaque of shaders that read texels through job->sampler.texture, and no filter yet:
+ * zs_filtered_set takes these. */
+#define ZS_TEXTURED 3u
+
 /* Texture coordinates that are stepped along a run: fractions of the texture's size, modulo 1. */
 struct zs_walk {
     uint32_t u, v, du, dv; /* uq0_32 */
