@@ -64,10 +64,26 @@ function symbolsOf(file) {
 const head = Buffer.from(JSON.stringify(symbolsOf(`${show}.txt`))),
     length = Buffer.alloc(4);
 length.writeUInt32LE(head.length);
-const pack = (bytes) => deflateRawSync(bytes, { level: 9 }).toString('base64');
+/* Compressed, four bytes as five characters: page/wasm.js reads it. A text of 4 n + k bytes has 5 n + k + 1 of them. */
+function pack(bytes) {
+    const from = deflateRawSync(bytes, { level: 9 }),
+        out = [];
+    for (let i = 0; i < from.length; i += 4) {
+        let word = 0,
+            five = '';
+        for (let k = 0; k < 4; k++) word = word * 256 + (i + k < from.length ? from[i + k] : 0);
+        for (let k = 0; k < 5; k++, word = Math.floor(word / 85)) five = String.fromCharCode(40 + (word % 85)) + five;
+        out.push(five.slice(0, Math.min(4, from.length - i) + 1));
+    }
+    return out.join('').replaceAll('<', '~');
+}
+const styles = execFileSync('esbuild', ['--loader=css', '--minify-whitespace', '--log-level=error'], {
+    input: readFileSync(resolve(folder, 'style.css')),
+    encoding: 'utf8',
+});
 const packed = pack(readFileSync(wasm));
 const page = readFileSync(resolve(folder, 'index.html'), 'utf8')
-    .replace('/*STYLE*/', () => readFileSync(resolve(folder, 'style.css'), 'utf8'))
+    .replace('/*STYLE*/', () => styles)
     .replace('/*WASM*/', () => packed)
     .replace('/*SHOW*/', () => pack(Buffer.concat([length, head, readFileSync(`${show}.bin`)])))
     .replace('/*EMULATOR*/', () => pack(readFileSync(emulator)))

@@ -113,6 +113,92 @@ await test('web_turns', async () => {
     same(await p.value(SUM), before, 'after 0');
 });
 
+/* A teaching card: what its canvas has in memory, and the colours in the middle of the picture's cells. */
+const CARD = (title) => `(() => {
+    const card = [...document.querySelectorAll('.card')].find((c) => c.querySelector('h3').textContent === '${title}'),
+        canvas = card.querySelector('canvas'), ratio = canvas.width / 392, dot = document.createElement('canvas'),
+        c = dot.getContext('2d', { willReadFrequently: true }), style = getComputedStyle(document.documentElement),
+        tints = { gold: '--c1', blue: '--c2', green: '--c0', '-': '--paper' },
+        rgb = (name) => { c.fillStyle = style.getPropertyValue(tints[name]).trim(); c.fillRect(0, 0, 1, 1);
+            return c.getImageData(0, 0, 1, 1).data.join(); },
+        names = Object.fromEntries(Object.keys(tints).map((name) => [rgb(name), name[0]]));
+    let cells = '';
+    for (let y = 0; y < 8; y++) {
+        for (let x = 0; x < 8; x++)
+            cells += names[canvas.getContext('2d').getImageData((8 + x * 22 + 10) * ratio, (8 + y * 22 + 10) * ratio,
+                1, 1).data.join()] || '?';
+        cells += ' ';
+    }
+    return { ...canvas.dataset, cells: cells.trim(), said: card.querySelector('.say').textContent }; })()`;
+const press = (title, button) =>
+    p.value(`[...[...document.querySelectorAll('.card')].find((c) => c.querySelector('h3').textContent === '${title}')
+        .querySelectorAll('button')].find((b) => b.textContent === '${button}').click()`);
+const letters = (colors) =>
+    colors.split(' ').map((name) => name[0]).join('').replace(/.{8}/g, '$& ').trim();
+
+/* The 8x8 buffers of tests/unit/test_zbuffer_examples.c, worked out by hand: 99 is its ZS_DEPTH_CLEAR. */
+await test('web_cards_zbuffer', async () => {
+    const title = 'Depth buffer',
+        empty = new Array(64).fill(99).join(' '),
+        five = new Array(64).fill().map((_, i) => ((i & 7) + (i >> 3) <= 6 ? 5 : 99)).join(' '),
+        both =
+            '5 5 5 5 5 5 5 99 3 5 5 5 5 5 99 99 4 3 5 5 5 99 99 99 5 4 3 5 99 99 99 99 ' +
+            '5 5 4 3 99 99 99 99 5 5 5 4 3 99 99 99 5 7 6 5 4 3 99 99 99 99 99 99 99 99 99 99',
+        slope =
+            '99 99 99 99 99 99 99 99 3 99 99 99 99 99 99 99 4 3 99 99 99 99 99 99 5 4 3 99 99 99 99 99 ' +
+            '6 5 4 3 99 99 99 99 7 6 5 4 3 99 99 99 8 7 6 5 4 3 99 99 99 99 99 99 99 99 99 99';
+    const steps = [
+        [empty, new Array(8).fill('--------').join(' ')],
+        [five, 'ggggggg- gggggg-- ggggg--- gggg---- ggg----- gg------ g------- --------'],
+        [both, 'ggggggg- bggggg-- bbggg--- gbbg---- ggbb---- ggbbb--- gbbbbb-- --------'],
+    ];
+    for (const [k, [keys, cells]] of steps.entries()) {
+        await press(title, 'Step'); // after the last step, the first again
+        const is = await p.value(CARD(title));
+        same(is.values, keys, `step ${k}`);
+        same(is.cells, cells, `step ${k}: pixels`);
+    }
+    await press(title, 'Other order');
+    await press(title, 'Step');
+    same((await p.value(CARD(title))).values, slope, 'the slope alone');
+    await press(title, 'Step');
+    const last = await p.value(CARD(title));
+    same(last.values, both, 'the same keys');
+    same(last.cells, 'ggggggg- bggggg-- bbggg--- bbbg---- gbbb---- ggbbb--- gbbbbb-- --------', 'the first stays');
+});
+
+await test('web_cards_methods', async () => {
+    const right = '---gg--- ---gg--- --bbgg-- --bbgg-- --bbgg-- gbbggggg gbbggggg -bb--gg-'; // green or gold: g
+    const wrong = right.replaceAll('---gg---', '---bb---');
+    same((await p.value(CARD('Ray casting'))).cells, right, 'rays');
+    same((await p.value(CARD('Depth sort'))).cells, right, 'depth sort');
+    const painted = await p.value(CARD('Painter’s algorithm'));
+    same(letters(painted.colors), wrong, 'painted in a cycle'); // the wrong ones are marked
+    same(painted.values, '', 'no keys');
+    must(painted.said.startsWith('4 pixels are wrong'), painted.said);
+    const taken = await p.value(CARD('Coverage'));
+    same(taken.values, right.replaceAll(' ', '').replace(/./g, (c) => `${c === '-' ? 0 : 1} `).trim(), 'bits');
+    const hiz = 'Hierarchical depth buffer',
+        tiles = ['99 99 99 99', '14 99 18 99', '14 99 18 99', '14 99 18 99'];
+    for (const [k, farthest] of tiles.entries()) {
+        await press(hiz, 'Step');
+        same((await p.value(CARD(hiz))).tiles, farthest, `step ${k}: the farthest of each tile`);
+    }
+    const done = await p.value(CARD(hiz));
+    same(done.values, [0, 1, 2, 3, 4, 5, 6, 7].map((y) => `${`${11 + y} `.repeat(4)}${
+        y === 2 || y === 3 ? '45 46 47 48' : '99 99 99 99'}`).join(' '), 'keys');
+    must(done.said.includes('all that it touches are skipped'), done.said);
+});
+
+/* Of 65536 keys between 1 and 1000 m, at 300 m: z^2 / 65535 * 0.999, 999 / 65535, and z^2 times a step of near / z,
+ * which of 12 bits of mantissa is 2^-21 there. */
+await test('web_cards_mappings', async () => {
+    const said = await p.value(`document.querySelector('.card.double .say').textContent`);
+    for (const words of ['At 300 m', 'recip 1.37 m', 'linear 1.5 cm', 'e3m13 8.6 cm', 'e4m12 4.3 cm', 'e5m11 8.6 cm',
+        'float is e4m12'])
+        must(said.includes(words), `'${words}' is not in: ${said}`);
+});
+
 await test('web_effects_turn', async () => {
     const taken = async (what) => {
         const from = await count(p);

@@ -13,7 +13,7 @@ function plot(width, height, label, draw) {
     const ratio = 2 * Math.max(1, Math.min(2, Math.ceil(window.devicePixelRatio || 1)));
     const canvas = make('canvas', { width: width * ratio, height: height * ratio, role: 'img', 'aria-label': label });
     const again = () => {
-        const c = canvas.getContext('2d');
+        const c = canvas.getContext('2d', { willReadFrequently: true }); // small, and tests read it
         c.setTransform(ratio, 0, 0, ratio, 0, 0);
         c.clearRect(0, 0, width, height);
         draw(c, width, height);
@@ -92,6 +92,9 @@ function methodCard(title, about, method) {
     const say = make('p', { className: 'say', role: 'status' });
     const show = () => {
         say.textContent = state.say;
+        canvas.dataset.colors = state.color.map((p) => (p ? p.name : '-')).join(' ');
+        canvas.dataset.values = (state.depth || state.bits || []).join(' ');
+        canvas.dataset.tiles = (state.tiles || []).join(' ');
         again();
     };
     const begin = () => {

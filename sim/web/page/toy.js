@@ -120,9 +120,37 @@ export function* zbuffer(bars) {
         yield s;
     }
     s.mark = new Set();
-    s.say = 'Done, and right in any order.';
+    s.say = 'Done. The keys are the same in any order; where two are equal, what came first stays.';
     yield s;
 }
+
+/* A textbook's two triangles: one at depth 5; one from 3 at its slanted edge, and one more for each pixel to the left. */
+zbuffer.bars = [
+    {
+        name: 'gold',
+        tint: '--c1',
+        points: [
+            [0, 0],
+            [7.5, 0],
+            [0, 7.5],
+        ],
+        z: 5,
+        zx: 0,
+        zy: 0,
+    },
+    {
+        name: 'blue',
+        tint: '--c2',
+        points: [
+            [0, 0.5],
+            [6.5, 7],
+            [0, 7],
+        ],
+        z: 2,
+        zx: -1,
+        zy: 1,
+    },
+];
 
 export function* hiz(bars) {
     const s = empty();
@@ -154,7 +182,8 @@ export function* hiz(bars) {
         }
         s.say =
             skipped > 0
-                ? `${p.name}: ${skipped} of its ${tiles.size} tiles are skipped whole, as all in them is nearer.`
+                ? `${p.name}: ${skipped === tiles.size ? 'all' : `${skipped} of ${tiles.size}`} that it touches are ` +
+                  'skipped whole: all in them is nearer.'
                 : `${p.name}: ${s.mark.size} pixels are drawn, no tile is skipped.`;
         yield s;
     }
