@@ -51,7 +51,7 @@ static int32_t strips_within(const struct zs_renderer *r, int32_t row, int32_t e
  * found for both at once. */
 static void count_cover(const struct zs_renderer *r)
 {
-    if (!r->tiles || !r->large || !r->cover_known) /* else cover_next is not set yet; hiz has another `large` */
+    if (sim_look_is_hiz() || !r->large || !r->cover_known) /* else cover_next is not set yet; hiz has another `large` */
         return;
     const struct zs_cover *last = &r->cover[!r->cover_next], *before = &r->cover[r->cover_next];
     if (memcmp(last->v, sim_now.cover, sizeof sim_now.cover) == 0)
