@@ -34,6 +34,7 @@ void sim_losses_print(FILE *f, const char *lead, const struct sim_lost *lost)
         [SIM_LOST_VERTEX_ALPHA] = { "alpha of vertex colours", "of mesh " },
         [SIM_LOST_TEXTURE] = { "texture that cannot be loaded", "" },
         [SIM_LOST_TEXEL_ALPHA] = { "alpha of a texture", "" },
+        [SIM_LOST_TEXTURE_TURN] = { "rotation of a texture", "of material " },
         [SIM_LOST_NORMAL_MAP] = { "normal or height map", "of material " },
         [SIM_LOST_METAL_MAP] = { "metallic-roughness map", "of material " },
         [SIM_LOST_EMISSION_MAP] = { "emission map", "of material " },

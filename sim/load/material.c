@@ -38,18 +38,57 @@ static char *copy(const char *text)
     return strcpy(sim_alloc(strlen(text) + 1, 1), text);
 }
 
-/* KHR_texture_transform and its like; assimp gives shifts so that a plain scale is about 0,0. */
+/* enum sim_alpha by glTF's word; -1: the file is no glTF. */
+static int gltf_mode(const struct aiMaterial *m)
+{
+    struct aiString mode;
+    if (aiGetMaterialString(m, AI_MATKEY_GLTF_ALPHAMODE, &mode) != aiReturn_SUCCESS)
+        return -1;
+    return strcmp(mode.data, "MASK") == 0    ? SIM_ALPHA_MASK
+           : strcmp(mode.data, "BLEND") == 0 ? SIM_ALPHA_BLEND
+                                             : SIM_ALPHA_OPAQUE;
+}
+
+static void set_scale(double uv[2][3], const double scale[2], const double shift[2])
+{
+    for (int k = 0; k < 2; k++) {
+        uv[k][k] = scale[k];
+        uv[k][1 - k] = 0.0;
+        uv[k][2] = shift[k];
+    }
+}
+
+/* KHR_texture_transform of a rotation: offset + rotation * (scale * uv), v downwards. assimp negates the angle, and
+ * changes the offset as if it turned about the picture's middle and scaled afterwards: that is undone. */
+static void set_turn(double uv[2][3], const struct aiUVTransform *t)
+{
+    const double c = cos(-(double)t->mRotation), s = sin(-(double)t->mRotation);
+    const double x = (double)t->mScaling.x, y = (double)t->mScaling.y;
+    const double offset[2] = { (double)t->mTranslation.x - 0.5 * x * (-c + s + 1.0),
+                               0.5 * y * (s + c - 1.0) + 1.0 - y - (double)t->mTranslation.y };
+    const double down[2][3] = { { c * x, s * y, offset[0] }, { -s * x, c * y, offset[1] } };
+    for (int k = 0; k < 2; k++) { /* v downwards is 1 - v upwards, before and after */
+        const double sign = k == 0 ? 1.0 : -1.0;
+        uv[k][0] = sign * down[k][0];
+        uv[k][1] = -sign * down[k][1];
+        uv[k][2] = sign * (down[k][1] + down[k][2]) + (double)k;
+    }
+}
+
+/* assimp gives shifts so that a plain scale is about 0,0. */
 static void look_up_transform(struct sim_use *out, const struct aiMaterial *material,
                               enum aiTextureType slot)
 {
     struct aiUVTransform t;
     if (aiGetMaterialUVTransform(material, AI_MATKEY_UVTRANSFORM(slot, 0), &t) != aiReturn_SUCCESS)
         return;
-    out->rotation = fabsf(t.mRotation) > 1e-6f ? (double)t.mRotation : 0.0;
-    out->scale[0] = (double)t.mScaling.x;
-    out->scale[1] = (double)t.mScaling.y;
-    out->shift[0] = (double)t.mTranslation.x;
-    out->shift[1] = (double)t.mTranslation.y;
+    const int turned = fabsf(t.mRotation) > 1e-6f;
+    set_scale(out->uv, (const double[2]){ (double)t.mScaling.x, (double)t.mScaling.y },
+              (const double[2]){ (double)t.mTranslation.x, (double)t.mTranslation.y });
+    if (turned && gltf_mode(material) >= 0)
+        set_turn(out->uv, &t);
+    else
+        out->turned = (uint8_t)turned;
 }
 
 static void look_up(struct sim_use *out, const struct aiMaterial *material)
@@ -85,17 +124,6 @@ static double number_of(const struct aiMaterial *m, const char *key, unsigned ty
 {
     float v;
     return aiGetMaterialFloat(m, key, type, n, &v) == aiReturn_SUCCESS ? (double)v : otherwise;
-}
-
-/* enum sim_alpha by glTF's word; -1: the file has none. */
-static int gltf_mode(const struct aiMaterial *m)
-{
-    struct aiString mode;
-    if (aiGetMaterialString(m, AI_MATKEY_GLTF_ALPHAMODE, &mode) != aiReturn_SUCCESS)
-        return -1;
-    return strcmp(mode.data, "MASK") == 0    ? SIM_ALPHA_MASK
-           : strcmp(mode.data, "BLEND") == 0 ? SIM_ALPHA_BLEND
-                                             : SIM_ALPHA_OPAQUE;
 }
 
 static void set_opacity(struct sim_material *to, double opacity)
@@ -215,8 +243,7 @@ static void take_mtl(struct sim_use *out, const struct sim_mtl_entry *mtl)
         return;
     free(out->path);
     out->path = copy(mtl->picture);
-    memcpy(out->scale, mtl->scale, sizeof out->scale);
-    memcpy(out->shift, mtl->shift, sizeof out->shift);
+    set_scale(out->uv, mtl->scale, mtl->shift);
     out->mode[0] = out->mode[1] = mtl->clamp ? aiTextureMapMode_Clamp : aiTextureMapMode_Wrap;
     if (mtl->kd[0] != 0.0 || mtl->kd[1] != 0.0 || mtl->kd[2] != 0.0)
         memcpy(out->factor, mtl->kd, sizeof out->factor);
@@ -226,7 +253,7 @@ void sim_material_use(struct sim_use *out, const struct aiMaterial *material,
                       const struct sim_mtl_entry *mtl)
 {
     *out = (struct sim_use){ .path = copy(""), .mask = copy(mtl != NULL && mtl->mask != NULL ? mtl->mask : ""),
-                             .scale = { 1.0, 1.0 }, .factor = { 1.0, 1.0, 1.0 } };
+                             .uv = { { 1.0 }, { 0.0, 1.0 } }, .factor = { 1.0, 1.0, 1.0 } };
     out->says_alpha = mtl == NULL && material != NULL && gltf_mode(material) >= 0;
     if (mtl != NULL)
         take_mtl(out, mtl);
@@ -476,6 +503,8 @@ static int own_textures(struct sim_model *model, const struct aiScene *scene,
         while (same < i && !(used[same] && same_use(&use[same], &use[i])))
             same++;
         const uint32_t before = model->n_textures;
+        if (use[i].turned)
+            sim_lose(model->lost, SIM_LOST_TEXTURE_TURN, model->material[i].name);
         if (same == i) {
             const unsigned axes = wrap == SIM_WRAP_FILE ? doubled_axes(model, use, used, i) : 0;
             sim_quiet += lenient;

@@ -14,8 +14,8 @@
 struct sim_use {
     char *path;           /* as the file says, or "*3": picture 3 in it; "": none */
     unsigned channel;     /* which of a mesh's texture coordinates; OBJ: there is one */
-    double scale[2], shift[2]; /* uv = scale * given + shift, v upwards as in assimp */
-    double rotation;      /* radians; not 0: cannot be drawn */
+    double uv[2][3];      /* u and v of the picture: uv[k][0] * u + uv[k][1] * v + uv[k][2]; v upwards as in assimp */
+    uint8_t turned;       /* flag: the file turns it in a way that no format defines, which is left out */
     int mode[2];          /* enum aiTextureMapMode, u and v */
     double factor[3];     /* times the texels, 0 .. 1 */
     char *mask;           /* OBJ: the picture of its opacity, as the file says; "": none */

@@ -496,8 +496,8 @@ static int take_uv(struct load *l, const struct aiMesh *mesh, unsigned v,
         in[0] = (double)uv[v].x;
         in[1] = (double)uv[v].y;
     }
-    out[0] = use->scale[0] * in[0] + use->shift[0];
-    out[1] = 1.0 - (use->scale[1] * in[1] + use->shift[1]);
+    out[0] = use->uv[0][0] * in[0] + use->uv[0][1] * in[1] + use->uv[0][2];
+    out[1] = 1.0 - (use->uv[1][0] * in[0] + use->uv[1][1] * in[1] + use->uv[1][2]);
     return 1;
 }
 
@@ -594,11 +594,6 @@ static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[1
     at.material = mesh->mMaterialIndex < l->model->n_materials ? mesh->mMaterialIndex : 0;
     at.rgb = l->model->material[at.material].rgb;
     at.use = l->use != NULL ? &l->use[at.material] : NULL;
-    if (at.use != NULL && at.use->rotation != 0.0)
-        return sim_refuse(l->file, 0,
-                          "material '%s' rotates its texture by %g radians; apply that to the "
-                          "texture coordinates and export the model again",
-                          l->model->material[at.material].name, at.use->rotation);
     for (unsigned f = 0; status == SIM_OK && f < mesh->mNumFaces; f++) {
         if (mesh->mFaces[f].mNumIndices >= 3)
             status = add_face(l, mesh, &mesh->mFaces[f], &at);

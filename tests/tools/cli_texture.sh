@@ -226,6 +226,26 @@ gltf '"uri":"four.png"' "$bin" '' '' \
 draw transform moved.gltf $plain --shade unlit
 same moved transform
 
+# u' = cos * su * u + sin * sv * v + ou, v' = -sin * su * u + cos * sv * v + ov, v down the picture
+begin gltf_rotation
+turn() { # NAME TRANSFORM
+    gltf '"uri":"four.png"' "$bin" '' '' ",\"extensions\":{\"KHR_texture_transform\":{$2}}" >"$1.gltf"
+    draw "$1" "$1.gltf" $plain --shade unlit
+}
+turn right '"rotation":1.5707963267948966,"offset":[0,1]' # u' = v, v' = 1 - u: the picture clockwise
+quarters right 0000ff ff0000 ffffff 00ff00
+turn left '"rotation":-1.5707963267948966,"offset":[1,0]' # u' = 1 - v, v' = u
+quarters left 00ff00 ffffff ff0000 0000ff
+# The lower left quarter, as in the format's text, and a little less
+turn corner '"rotation":1.57079632679,"offset":[0.01,0.99],"scale":[0.48,0.48]'
+quarters corner 0000ff 0000ff 0000ff 0000ff
+# cos 0.8, sin 0.6: u' = 1.6 u + 0.3 v + 0.25, v' = -1.2 u + 0.4 v + 0.125; in an OBJ, v = 1 - v'
+obj leaning 'v -50 -50 0' 'v 50 -50 0' 'v 50 50 0' 'v -50 50 0' \
+    'vt 0.55 0.475' 'vt 2.15 1.675' 'vt 1.85 2.075' 'vt 0.25 0.875' 'f 1/1 2/2 3/3 4/4'
+draw leaning leaning.obj $plain --shade unlit --texture four.png
+turn turned '"rotation":0.6435011087932844,"offset":[0.25,0.125],"scale":[2,0.5]'
+same leaning turned
+
 begin gltf_wrap_modes
 five=',"extensions":{"KHR_texture_transform":{"offset":[-2,-2],"scale":[5,5]}}'
 uv_obj five -2 -2 3 3
@@ -530,8 +550,6 @@ obj lost 'mtllib lost.mtl' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'vt 0 0' 'vt 1 0' 'vt 0
 refused missing_mtl 'lost.mtl' lost.obj --shade unlit
 refused no_coordinates 'no texture coordinates' quad.obj --shade textured --texture four.png
 refused texture_without_shade '--shade textured' bare.obj --shade flat --texture four.png
-gltf '"uri":"four.png"' "$bin" '' '' ',"extensions":{"KHR_texture_transform":{"rotation":0.5}}' >turned.gltf
-refused rotated 'rotates its texture' turned.gltf --shade unlit
 uv_obj often 0 0 1000.37 1000.37
 refused repeats_too_often '1/16 texel' often.obj --mesh file --shade unlit --texture numbers.png
 uv_obj huge 0 0 1e30 1
