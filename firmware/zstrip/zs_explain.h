@@ -34,15 +34,17 @@ ZS_C_BEGIN
  * say     is called with pieces of sentences: at most 47 characters and a 0 each, the caller's
  *         until it returns. Each sentence ends with ".\n" or "?\n".
  * Says    why zs_render refuses the frame, by instance; or, of an instance each, why nothing is
- *         seen; why all is dark; flaws of meshes, textures, poses, light and camera; a hole
- *         in the only instance in view; what near, far, a resolve hook or missing depth memory
- *         spoils; what is slow. At most 16 sentences.
- * Not found  what is no property of the scene: swapped colours and an offset (the panel); counts
- *         and sizes that leave no hole to be seen: triangles left out on the far side, log2_w of a
- *         small texture.
+ *         seen; why all is dark; flaws of meshes, textures, shaders, poses, depth states, light and
+ *         camera; a hole in an instance that no other one overlaps; what near, far, a resolve hook,
+ *         an item of an overlay or missing depth memory spoils; what damage tracking has missed;
+ *         what is slow. At most 16 sentences.
+ * Not found  what is no property of the scene: swapped colours and an offset (the panel), a plain
+ *         struct zs_material for a shader that reads more; counts and sizes that leave no hole to
+ *         be seen: triangles left out on the far side, log2_w of a texture of less than 4 x 8.
  * Cost    that of the frame, four times that of each instance, and of a check of all meshes; up to
- *         40 times the frame where nothing is seen. 27 KB of flash with zs_check.h (Cortex-M3,
- *         -O2); 1.5 KB of stack beside the frame's.
+ *         40 times the frame where nothing is seen. 31 KB of flash with zs_check.h (Cortex-M3,
+ *         -O2), and 1.3 KB for zs_overlay_draw, where the program has none; 1.9 KB of stack beside
+ *         the frame's.
  * Return  the number of sentences. */
 uint32_t zs_explain(struct zs_renderer *r, const struct zs_scene *scene,
                     const struct zs_camera *camera, void (*say)(void *ctx, const char *text),

@@ -85,8 +85,8 @@ struct sim_want {
  * Colours: want->color, else vertex colours, else the material's diffuse colour, else 204 204 204.
  *
  * Textures: OBJ with MTL (map_Kd with -s, -o and -clamp, times Kd unless that is black), glTF
- * (baseColorTexture, times baseColorFactor, with KHR_texture_transform), and what else assimp gives as diffuse texture; PNG or
- * JPEG, in files, data URIs or the model itself. A file is looked for at the path that the model
+ * (baseColorTexture, times baseColorFactor, with KHR_texture_transform), and what else assimp gives as diffuse
+ * texture; PNG or JPEG, in files, data URIs or the model itself. A file is looked for at the path that the model
  * gives, from the model's folder, then under its bare name there. Refused: a picture that is
  * missing or broken; want->picture where no face has uv; a picture too large to be doubled where it is repeated
  * mirrored (mirrored.h). Vertex colours are not multiplied

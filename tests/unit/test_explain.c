@@ -1271,6 +1271,181 @@ static void sizes_are_wrong(void **state)
     CHECK_ALL(sizes);
 }
 
+/* ---- Mistakes in parts, while the rest is right ----------------------------------------------- */
+
+static void two_apart(struct world *w)
+{
+    world_two(w);
+    w->instance[1].mesh = &w->sheet;
+    w->instance[0].pose.scale = w->instance[1].pose.scale = ZS_Q16_ONE / 4;
+    w->instance[0].pose.pos[0] = -1200;
+    w->instance[1].pose.pos[0] = 1200;
+    w->instance[1].pose.pos[2] = 0;
+}
+
+static void ramp(struct world *w)
+{
+    static const int16_t along[8][2] = { { 0, 0 }, { 0, 4096 }, { 0, 4096 }, { 0, 0 },
+                                         { 0, 0 }, { 0, 4096 }, { 0, 4096 }, { 0, 0 } };
+    textured(w);
+    w->cube.uv = along;
+    w->texture.log2_w = 0;
+}
+
+static void two_in_order(struct world *w)
+{
+    two_without_depth(w);
+    w->config.depth = &zs_depth_float;
+}
+
+static void two_items(struct world *w)
+{
+    static struct zs_item item[2];
+    with_overlay(w);
+    item[0] = item[1] = w->item;
+    item[1].kind = &zs_item_text;
+    item[1].text = "HUD";
+    w->overlay.item = item;
+    w->overlay.n = 2;
+}
+
+static void two_dials(struct world *w)
+{
+    two_items(w);
+    struct zs_item *const dial = (struct zs_item *)(uintptr_t)&w->overlay.item[1];
+    const struct zs_item arc = { .kind = &zs_item_arc, .x = 40, .y = 30, .w = 12, .h = 3, .color = 0xffff,
+                                 .value = 40000, .sweep = ZS_DEGREES(270) };
+    *dial = arc;
+}
+
+static struct zs_item *second_item(struct world *w)
+{
+    return (struct zs_item *)(uintptr_t)&w->overlay.item[1];
+}
+
+/* Every other column is left out. */
+static void columns(const struct zs_instance *instance, struct zs_fragment *f)
+{
+    (void)instance;
+    if (f->x & 1u)
+        *f->color = zs_wire565(200, 90, 30);
+}
+
+static void raised(const struct zs_shading *s, uint32_t v, int16_t out[3])
+{
+    (void)s;
+    for (int k = 0; k < 3; k++)
+        out[k] = corner[v][k];
+}
+
+static void shade_1(const struct zs_shading *s, uint32_t v, uint16_t *out)
+{
+    (void)s;
+    out[0] = (uint16_t)(v * 8000u);
+}
+
+static struct zs_shader own;
+
+static void own_shader(struct world *w)
+{
+    const struct zs_shader mine = { .fragment = columns, ZS_FRAGMENTS, .vertex = shade_1, .n_varyings = 1,
+                                    .position = raised, ZS_POSITIONS };
+    own = mine;
+    two_in_order(w);
+    near_first(w);
+    w->config.width = 8 * W; /* wide enough for accelerators to rely on it */
+    w->config.height = 8 * H;
+    w->camera.focal *= 8;
+    w->green.shader = &zs_shade_raw;
+    w->red.shader = &own;
+}
+
+static void edges_before_faces(struct world *w)
+{
+    static const uint16_t side[4][2] = { { 4, 5 }, { 5, 6 }, { 6, 7 }, { 7, 4 } };
+    static const struct zs_depth_state back = ZS_HIDDEN_LINE_STATE;
+    const struct zs_lines lines = { ZS_LINES(side, 4), .width = 1 };
+    w->config.depth = &zs_depth_recip;
+    world_two(w);
+    w->lines = lines;
+    w->instance[1].pose = w->instance[0].pose;
+    w->instance[0].depth_state = &back;
+    w->green.shader = &zs_shade_plain;
+    w->green.primitive = &w->lines.primitive;
+}
+
+static const struct zs_depth_state always = { .func = ZS_DEPTH_ALWAYS }, near_bias = { .bias = -30000 },
+                                   far_bias = { .bias = 30000 };
+static uint16_t face_1[12][3];
+static void indices_from_1(struct world *w)
+{
+    for (int t = 0; t < 12; t++)
+        for (int k = 0; k < 3; k++)
+            face_1[t][k] = (uint16_t)(face[t][k] + 1);
+    w->cube.tri = (const uint16_t(*)[3])face_1;
+}
+
+MAKE(far_in_second, w->camera.z_far = 9000 << 16)
+MAKE(near_in_first, w->camera.z_near = 4000 << 16)
+MAKE(log2_w_0, w->texture.log2_w = 0)
+MAKE(log2_h_0, w->texture.log2_h = 0)
+MAKE(far_always, w->instance[1].depth_state = &always; near_first(w); w->instance[0].depth_state = NULL;
+     w->instance[1].depth_state = &always)
+MAKE(torus_always, w->instance[0].depth_state = &always)
+MAKE(far_biased, w->instance[0].depth_state = &near_bias)
+MAKE(near_biased, w->instance[1].depth_state = &far_bias)
+MAKE(item_off, second_item(w)->x = 64)
+MAKE(item_no_text, second_item(w)->text = NULL)
+MAKE(item_no_sprite, second_item(w)->kind = &zs_item_sprite)
+MAKE(sweep_270, second_item(w)->sweep = 270)
+MAKE(not_opaque, own.opaque = 1)
+MAKE(no_positions, own.place = NULL)
+MAKE(no_fragments, own.start = NULL; own.run = NULL; own.by_fragment = 0)
+MAKE(fragment_null, own.fragment = NULL)
+MAKE(copied_run, own.start = zs_shade_raw.start; own.run = zs_shade_raw.run; own.by_fragment = 0)
+MAKE(varyings_0, own.n_varyings = 0)
+MAKE(edges_in_faces, w->instance[0].depth_state = NULL)
+
+static const struct mistake partial[] = {
+    { "far in one of two", world_two, far_in_second, 0,
+      "far = 9000 cuts instance 1, which ends * beyond it: raise far.\n" },
+    { "near in one of two", world_two, near_in_first, 0, "near = 4000 cuts instance 0, which begins" },
+    { "a hole beside another", two_apart, tris_6, 0, I0 ": on * pixels " HOLE },
+    { "log2_w 0", textured, log2_w_0, 0,
+      I0 ": its texture is one texel wide, and mesh.uv runs across it: log2_w is 0" },
+    { "log2_h 0", textured, log2_h_0, 0,
+      I0 ": its texture is one texel high, and mesh.uv runs across it: log2_h is 0" },
+    { "far always", two_in_order, far_always, 0,
+      "instance 1 is behind instance 0, and drawn over it: its depth_state" },
+    { "concave always", world_torus, torus_always, 0,
+      I0 " is not convex, and its depth_state.func is ZS_DEPTH_ALWAYS" },
+    { "far one biased", two_in_order, far_biased, 0, I0 " is behind instance 1, and drawn over it: * depth keys lie" },
+    { "near one biased", two_in_order, near_biased, 0,
+      I0 " is behind instance 1, and drawn over it: * depth keys lie" },
+    { "an item off", two_items, item_off, 0, "item 1 of resolve hook 0 lies beside the picture, which is 64 x 48" },
+    { "an item without text", two_items, item_no_text, 0,
+      "item 1 of resolve hook 0 is not drawn: a required pointer is NULL.\n" },
+    { "an item without sprite", two_items, item_no_sprite, 0,
+      "item 1 of resolve hook 0 is not drawn: a required pointer is NULL.\n" },
+    { "a sweep of 270", two_dials, sweep_270, 0, "item 1 of resolve hook 0 sweeps over 270/65536 of a turn: was" },
+    { "opaque, and not", own_shader, not_opaque, 0,
+      "without accelerators it is another picture: a shader that leaves" },
+    { "no ZS_POSITIONS", own_shader, no_positions, 0, I0 ": its shader's position is not called: ZS_POSITIONS" },
+    { "no ZS_FRAGMENTS", own_shader, no_fragments, ZS_ERR_NULL, I0 " is refused: its shader has no ZS_FRAGMENTS" },
+    { "no fragment", own_shader, fragment_null, ZS_ERR_NULL, I0 " is refused: its shader's fragment stage is NULL" },
+    { "run of another", own_shader, copied_run, 0, I0 ": its shader's fragment is not called: ZS_FRAGMENTS" },
+    { "n_varyings 0", own_shader, varyings_0, ZS_ERR_VARYINGS, I0 " is refused: its shader has a vertex stage, and" },
+    { "indices from 1", NULL, indices_from_1, 0,
+      I0 ": triangle 1 of its mesh names vertex 8, and none names vertex 0" },
+    { "edges in faces", edges_before_faces, edges_in_faces, 0,
+      "instance 1: its lines lie in the surface of instance 0" },
+};
+
+static void parts_of_it_are_wrong(void **state)
+{
+    CHECK_ALL(partial);
+}
+
 /* A large picture without accelerators is slow. */
 static void no_accelerators(void **state)
 {
@@ -1533,6 +1708,13 @@ static void backdrop(struct world *w)
 static void unusual_is_right(void **state)
 {
     static void (*const change[])(struct world *) = { backdrop,
+                                                      ramp,
+                                                      two_apart,
+                                                      two_in_order,
+                                                      two_items,
+                                                      two_dials,
+                                                      own_shader,
+                                                      edges_before_faces,
                                                       light_unused,
                                                       normals_of_half,
                                                       turned_by_both,
@@ -1667,6 +1849,44 @@ static int keep_px(void *ctx, const struct zs_strip *s)
     for (uint32_t y = 0; y < s->h; y++)
         memcpy(&glass_px[(s->y + y) * W + s->dirty_x], s->px + 2u * (y * s->w + s->dirty_x), 2u * s->dirty_w);
     return 0;
+}
+
+/* Under zs_damage_track: bytes that changed without zs_invalidate, an overlay that tells no changes. */
+static void damage_tracking_is_explained(void **state)
+{
+    static uint32_t memory[ZS_DAMAGE_WORDS(2, H, 8)], arena[20000], items[ZS_OVERLAY_WORDS(2)];
+    static struct zs_rgb colors[12];
+    static const char stale[] = "the panel shows another picture, in * strips: bytes have changed";
+    for (int changes = 0; changes < 2; changes++) {
+        struct zs_renderer r;
+        struct zs_strip_hashes sums;
+        uint64_t hashes[H * 2];
+        struct world w;
+        world_cube(&w);
+        two_items(&w);
+        w.overlay.memory = items;
+        w.overlay.room = 2;
+        w.hook.changes = changes ? zs_overlay_changes : NULL;
+        w.cube.face_rgb = (const struct zs_rgb *)colors;
+        memset(colors, 99, sizeof colors);
+        assert_int_equal(zs_init(&r, &w.config, arena, sizeof arena), ZS_OK);
+        assert_int_equal(damage_compare_anew(&r, &sums, hashes, 2), ZS_OK);
+        assert_int_equal(zs_damage_track(&r, memory, 2), ZS_OK);
+        for (int frame = 0; frame < 4; frame++) {
+            struct words words = { .n = 0 };
+            for (int k = 0; k < 12 && frame >= 2; k++)
+                colors[k].r = frame == 2 ? 255 : 20; /* the first is not told */
+            if (frame == 3)
+                assert_int_equal(zs_invalidate(&r, NULL), ZS_OK);
+            assert_int_equal(zs_render(&r, &w.scene, &w.camera, &w.sink), ZS_OK);
+            const uint32_t said = zs_explain(&r, &w.scene, &w.camera, hear, &words);
+            assert_int_equal(said, (changes ? 0u : 1u) + (frame == 2 ? 1u : 0u));
+            if (!changes)
+                assert_true(begins(words.text, "resolve hook 0 has no `changes`, and zs_damage_track is on"));
+            else if (frame == 2)
+                assert_true(begins(words.text, stale));
+        }
+    }
 }
 
 /* The next frames are what they are without a question between, also what of them is sent. */
@@ -1807,6 +2027,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(errors_name_the_thing),
     cmocka_unit_test(more_mistakes),
     cmocka_unit_test(sizes_are_wrong),
+    cmocka_unit_test(parts_of_it_are_wrong),
+    cmocka_unit_test(damage_tracking_is_explained),
     cmocka_unit_test(no_accelerators),
     cmocka_unit_test(scenes_are_right),
     cmocka_unit_test(examples_are_right),

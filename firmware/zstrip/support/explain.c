@@ -9,10 +9,12 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
+#include "core/damage.h"
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/method.h"
 #include "support/explain.h"
+#include "zs_damage.h"
 
 #define UNUSUAL 0x5a4bu    /* RGB565, the background while pixels are looked at */
 #define PASSES_MANY 8u     /* a frame in more passes than this is slow */
@@ -20,18 +22,21 @@
 #define TRIS_MANY 1000u    /* ... triangles, gains much from accelerators */
 #define PIECES 6u          /* triangles that clipping can add to one */
 #define CORNERS 9u         /* vertices of those */
+#define COLUMNS_MAX 32u    /* of zs_damage_compare */
 
 /* ---- Frames that are looked at --------------------------------------------------------------- */
 
+/* Look at a strip, and spoil it: what the next one shows, it has drawn itself. */
 static void look(const struct zs_explainer *e, const struct zs_strip *strip, uint16_t *first,
                  struct zs_seen *seen)
 {
-    const uint16_t *px = (const uint16_t *)(const void *)strip->px;
+    uint16_t *const px = e->r->color[1]; /* the one given out */
     const uint32_t n = (uint32_t)strip->w * strip->h;
     if (strip->y == 0)
         *first = zs_wire16(px[0]);
     for (uint32_t i = 0; i < n; i++) {
         const uint16_t c = zs_wire16(px[i]);
+        px[i] = (uint16_t)~UNUSUAL;
         if (c == UNUSUAL) {
             seen->uniform = 0;
             continue;
@@ -123,6 +128,60 @@ static void say_passes(struct zs_explainer *e, const struct zs_stats *s)
     ZS_SAY(e, tris > max_tris || verts > c->max_verts ? "." : " larger pools.");
 }
 
+/* The promise that accelerators change nothing rests on what a shader says of itself. */
+static void say_accelerated(struct zs_explainer *e, const struct zs_seen *all)
+{
+    struct zs_renderer *const r = e->r;
+    const struct zs_fast *const *const fast = r->config.fast;
+    struct zs_seen plain;
+    if (ZS_NO_FAST || !fast || e->said)
+        return;
+    r->config.fast = 0;
+    r->refit = 1;
+    zs_explain_draw(e, 0, 0, &plain);
+    r->config.fast = fast;
+    if (plain.sum != all->sum)
+        ZS_SAY(e, "without accelerators it is another picture: a shader that leaves pixels out, or "
+                  "reads the old colour, has .opaque 0.");
+}
+
+/* Columns of a strip whose hashes are not those that the panel has: what was sent is not what is
+ * drawn now. */
+static ZS_NOINLINE uint32_t stale(struct zs_renderer *r, const struct zs_strip_hash_kernel *hashes,
+                                  struct zs_strip *strip)
+{
+    uint64_t *const sum = r->sums->sum + strip->y / r->config.strip_h * r->sums->columns;
+    uint64_t was[COLUMNS_MAX];
+    uint32_t n = 0;
+    for (uint32_t k = 0; k < r->sums->columns; k++)
+        was[k] = sum[k];
+    hashes->look(r, strip);
+    for (uint32_t k = 0; k < r->sums->columns; k++) {
+        n += was[k] != 0 && was[k] != sum[k];
+        sum[k] = was[k];
+    }
+    return n;
+}
+
+/* Under zs_damage_track: the panel shows another picture than the scene's. */
+static void say_stale(struct zs_explainer *e, const struct zs_strip_hash_kernel *hashes)
+{
+    struct zs_renderer *const r = e->r;
+    struct zs_strip strip;
+    uint32_t n = 0;
+    if (!e->tracked || !hashes || r->sums->columns > COLUMNS_MAX)
+        return;
+    (void)zs_frame_begin(r, e->scene, e->camera);
+    while (zs_frame_strip(r, &strip) == 1)
+        n += stale(r, hashes, &strip) != 0;
+    (void)zs_frame_end(r);
+    if (n)
+        ZS_SAY(e,
+               "the panel shows another picture, in % strips: bytes have changed that "
+               "zs_damage_track does not look at; call zs_invalidate after it.",
+               n);
+}
+
 static void say_slow(struct zs_explainer *e, const struct zs_seen *all)
 {
     const struct zs_stats *const s = &all->stats;
@@ -179,6 +238,7 @@ static void keep(struct zs_explainer *e, struct kept *kept)
     kept->track = r->track;
     kept->window[0] = r->window[0];
     kept->window[1] = r->window[1];
+    e->tracked = r->track != 0;
     r->strip_hash = 0;
     r->track = 0;
     r->window[0] = 0;
@@ -206,8 +266,9 @@ static void say_narrow(struct zs_explainer *e)
 }
 
 /* The scene is one that zs_frame_begin accepts. */
-static void say_all(struct zs_explainer *e, const struct zs_stats *last)
+static void say_all(struct zs_explainer *e, const struct kept *kept)
 {
+    const struct zs_stats *const last = &kept->stats;
     const struct zs_scene *const scene = e->scene;
     struct zs_seen all, one;
     if (last->strips && last->strips < e->r->n_strips)
@@ -238,6 +299,8 @@ static void say_all(struct zs_explainer *e, const struct zs_stats *last)
     zs_explain_draw(e, 0, 0, &all);
     zs_explain_depth(e);
     zs_explain_hooks(e);
+    say_accelerated(e, &all);
+    say_stale(e, kept->strip_hash);
     say_slow(e, &all);
 }
 
@@ -263,7 +326,7 @@ static uint32_t explain(struct zs_explainer *e, uint32_t number)
         ZS_SAY(e, "zs_damage_track has memory for % instances, and n_instances is %.",
                e->r->track_instances, e->scene->n_instances);
     else if (number == UINT32_MAX)
-        say_all(e, &kept.stats);
+        say_all(e, &kept);
     else if (number < e->scene->n_instances)
         say_one(e, number);
     else
@@ -276,7 +339,7 @@ uint32_t zs_explain_instance(struct zs_renderer *r, const struct zs_scene *scene
                              const struct zs_camera *camera, uint32_t number,
                              void (*say)(void *ctx, const char *text), void *ctx)
 {
-    struct zs_explainer e = { r, scene, camera, say, ctx, 0, 0, { 0 } };
+    struct zs_explainer e = { r, scene, camera, say, ctx, 0, 0, { 0 }, 0 };
     return explain(&e, number);
 }
 

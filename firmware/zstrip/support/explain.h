@@ -19,6 +19,7 @@ struct zs_explainer {
     void *ctx;
     uint32_t said, n; /* sentences; characters in `text` */
     char text[ZS_EXPLAIN_PIECE];
+    uint8_t tracked; /* 1: by zs_damage_track */
 };
 
 /* What is seen of a scene, or of one of its instances alone. */
@@ -74,6 +75,8 @@ void zs_explain_cut(struct zs_explainer *e);
 void zs_explain_depth(struct zs_explainer *e);
 /* Say what is wrong with the resolve hooks. */
 void zs_explain_hooks(struct zs_explainer *e);
+/* Say what is wrong with the items of hook k, an overlay. */
+void zs_explain_items(struct zs_explainer *e, uint32_t k);
 
 /* A sphere's width on the screen, uq_16 px, where it is ahead; below 2^51. */
 uint64_t zs_explain_size(const struct zs_explainer *e, const struct zs_bounds *b);

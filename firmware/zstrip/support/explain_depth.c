@@ -10,10 +10,12 @@
 #include "core/view.h"
 #include "support/explain.h"
 #include "zs_damage.h"
+#include "zs_overlay.h"
 #include "zs_shader.h"
 
 #define KEYS_FEW 16u  /* an instance of fewer keys from front to back shows its back in its front */
 #define ORDER_MAX 64u /* instances whose order is looked at */
+#define CUT_MAX 4u    /* instances that are drawn to see whether near or far cuts them */
 
 /* ---- Keys ------------------------------------------------------------------------------------ */
 
@@ -64,26 +66,14 @@ static void say_keys(struct zs_explainer *e)
 
 /* ---- Near and far ---------------------------------------------------------------------------- */
 
-/* All that is in view reaches beyond near or far, and more of the first of it is seen where they
- * are farther out. The eye is not in it, as in a room or over a landscape. */
-void zs_explain_cut(struct zs_explainer *e)
+/* Of instance i, which reaches beyond near or far, more is seen where these are farther out. */
+static int say_cut(struct zs_explainer *e, uint32_t i)
 {
     const struct zs_camera *const camera = e->camera;
     const struct zs_camera own = e->r->camera, *const c = &own; /* of all draws but one */
     struct zs_camera wide = own;
     struct zs_bounds b;
     struct zs_seen seen;
-    uint32_t i = e->scene->n_instances;
-    for (uint32_t k = i; k-- > 0;) {
-        zs_explain_bounds(e, k, &b);
-        if (zs_cull_sphere(&b, c, &e->r->view))
-            continue;
-        if ((b.c[2] - b.r >= c->z_near && b.c[2] + b.r <= c->z_far) || zs_explain_eye_inside(&b))
-            return;
-        i = k;
-    }
-    if (i == e->scene->n_instances)
-        return;
     zs_explain_bounds(e, i, &b);
     const int64_t begins = b.c[2] - b.r, ends = b.c[2] + b.r;
     const int near = begins < c->z_near;
@@ -97,13 +87,46 @@ void zs_explain_cut(struct zs_explainer *e)
     zs_explain_draw(e, &e->scene->instance[i], 0, &seen);
     e->camera = camera;
     if (seen.sum == sum || !seen.colored)
-        return;
+        return 0;
     ZS_PIECE(e, near ? "near = $ cuts instance %" : "far = $ cuts instance %",
              near ? c->z_near : c->z_far, i);
     ZS_SAY(e,
            near ? ", which begins $ before it: lower near."
                 : ", which ends $ beyond it: raise far.",
            near ? c->z_near - begins : ends - c->z_far);
+    return 1;
+}
+
+/* All that is in view reaches beyond near or far; or one instance does, that lies before the eye,
+ * in a scene of which nothing is wholly beyond far, and that has no hooks, which might be fog:
+ * there, far is no limit that was meant. The eye is not in it, as in a room or over a landscape. */
+void zs_explain_cut(struct zs_explainer *e)
+{
+    const struct zs_camera own = e->r->camera, *const c = &own;
+    uint32_t whole = e->scene->n_resolves, tried = 0;
+    struct zs_bounds b;
+    for (uint32_t i = 0; i < e->scene->n_instances; i++) {
+        zs_explain_bounds(e, i, &b);
+        if (zs_explain_eye_inside(&b))
+            return;
+        if (b.c[2] - b.r > c->z_far)
+            whole = 1;
+    }
+    for (uint32_t i = 0; whole && i < e->scene->n_instances; i++) {
+        zs_explain_bounds(e, i, &b);
+        if (!zs_cull_sphere(&b, c, &e->r->view) && b.c[2] - b.r >= c->z_near &&
+            b.c[2] + b.r <= c->z_far)
+            return;
+    }
+    for (uint32_t i = 0; i < e->scene->n_instances && tried < CUT_MAX; i++) {
+        zs_explain_bounds(e, i, &b);
+        if (zs_cull_sphere(&b, c, &e->r->view) || (!whole && b.c[2] < b.r) ||
+            (b.c[2] - b.r >= c->z_near && b.c[2] + b.r <= c->z_far))
+            continue;
+        tried++;
+        if (say_cut(e, i))
+            return;
+    }
 }
 
 /* ---- Order ----------------------------------------------------------------------------------- */
@@ -148,13 +171,52 @@ static void say_order(struct zs_explainer *e)
         }
 }
 
+/* A depth state that turns round what is before what: instance i is the nearer one. */
+static int say_state(struct zs_explainer *e, uint32_t i, uint32_t k)
+{
+    const struct zs_view *const view = &e->r->view;
+    const struct zs_depth_state *const near = e->scene->instance[i].depth_state;
+    const struct zs_depth_state *const far = e->scene->instance[k].depth_state;
+    struct zs_bounds a, b;
+    if ((!near && !far) || !behind(e, i, k))
+        return 0;
+    if (far && far->func == ZS_DEPTH_ALWAYS && k > i) {
+        ZS_SAY(e,
+               "instance % is behind instance %, and drawn over it: its depth_state.func is "
+               "ZS_DEPTH_ALWAYS; list it before, or take ZS_DEPTH_LESS.",
+               k, i);
+        return 1;
+    }
+    zs_explain_bounds(e, i, &a);
+    zs_explain_bounds(e, k, &b);
+    const int64_t gap = (int64_t)(key_at(view, b.c[2]) >> 16) - (key_at(view, a.c[2]) >> 16);
+    const int64_t shift = (near ? near->bias : 0) - (far ? far->bias : 0);
+    if (shift <= gap || shift < (int64_t)KEYS_FEW)
+        return 0;
+    ZS_SAY(e,
+           "instance % is behind instance %, and drawn over it: % depth keys lie between them, and "
+           "their depth_state.bias differs by %.",
+           k, i, gap, shift);
+    return 1;
+}
+
+static void say_states(struct zs_explainer *e)
+{
+    const uint32_t n = zs_minu32(e->scene->n_instances, ORDER_MAX);
+    for (uint32_t i = 0; i < n * n; i++)
+        if (say_state(e, i / n, i % n))
+            return;
+}
+
 void zs_explain_depth(struct zs_explainer *e)
 {
     const struct zs_config *const c = &e->r->config;
     if (c->method == &zs_method_buffer)
         say_order(e);
-    if (e->r->depth)
+    if (e->r->depth) {
+        say_states(e);
         say_keys(e);
+    }
 }
 
 /* ---- Hooks ----------------------------------------------------------------------------------- */
@@ -252,6 +314,8 @@ void zs_explain_hooks(struct zs_explainer *e)
                    "resolve hook % changes no pixel: what it draws is beside the picture, "
                    "hidden, or not set up.",
                    k);
+        else if (e->scene->resolve[k].draw == zs_overlay_draw)
+            zs_explain_items(e, k);
         else if (f.varied && f.one == 1)
             ZS_SAY(e,
                    "resolve hook % gives all that is drawn one colour: fog that ends before it, "

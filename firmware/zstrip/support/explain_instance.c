@@ -249,10 +249,39 @@ static void say_doubled(struct zs_explainer *e, uint32_t i, uint32_t k)
            k);
 }
 
-/* Lines and points of vertices that are not there. */
+/* Stages of a shader that are not called. */
+static void say_stages(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_shader *const shader = e->scene->instance[i].material->shader;
+    if (shader->position && !shader->place)
+        ZS_SAY(e,
+               "instance %: its shader's position is not called: ZS_POSITIONS (zs_shader.h) sets "
+               "what calls it.",
+               i);
+    if (shader->fragment && !shader->by_fragment)
+        ZS_SAY(e,
+               "instance %: its shader's fragment is not called: ZS_FRAGMENTS (zs_shader.h) sets "
+               "what calls it.",
+               i);
+}
+
+/* Lines and points of vertices that are not there, and lines in the surface of their own mesh. */
 static void say_lines(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
 {
     const struct zs_instance *const in = &e->scene->instance[i];
+    const struct zs_depth_state *const state = in->depth_state;
+    for (uint32_t k = 0; e->r->depth && k < i; k++) {
+        const struct zs_instance *const was = in - (i - k);
+        if (was->mesh->pos != in->mesh->pos || was->material->primitive ||
+            !was->material->shader->opaque || !same_pose(&in->pose, &was->pose) ||
+            was->depth_state || (state && (state->func || state->bias < 0)))
+            continue;
+        ZS_SAY(e,
+               "instance %: its lines lie in the surface of instance %, which hides parts of them: "
+               "give instance % the depth_state ZS_HIDDEN_LINE_STATE.",
+               i, k, k);
+        break;
+    }
     zs_explain_draw(e, in, 0, seen);
     if (seen->stats.tris_index)
         ZS_SAY(e,
@@ -310,6 +339,7 @@ void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen, stru
             say_doubled(e, i, mesh);
     }
     say_turned(e, i);
+    say_stages(e, i);
     if (mesh == i)
         zs_explain_mesh(e, i);
     if (x)

@@ -57,6 +57,17 @@ static void say_unset(struct zs_explainer *e, uint32_t i)
         ZS_SAY(e, "instance %: all normals of its mesh are 0: it gets ambient light alone.", i);
 }
 
+/* Return 1 if the triangles of a mesh name vertices 1 .. n_verts. */
+static int from_1(const struct zs_mesh *m)
+{
+    uint32_t least = UINT32_MAX, most = 0;
+    for (uint32_t k = 0; k < 3u * m->n_tris; k++) {
+        least = zs_minu32(least, m->tri[k / 3u][k % 3u]);
+        most = zs_maxu32(most, m->tri[k / 3u][k % 3u]);
+    }
+    return least == 1 && most == m->n_verts;
+}
+
 static void say_flaw(struct zs_explainer *e, uint32_t i)
 {
     const struct zs_mesh *const m = e->scene->instance[i].mesh;
@@ -68,8 +79,11 @@ static void say_flaw(struct zs_explainer *e, uint32_t i)
     }
     ZS_PIECE(e, "instance %: ", i);
     if (flaw == ZS_FLAW_INDEX)
-        ZS_SAY(e, "triangle % of its mesh names a vertex that is not there: n_verts is %.", at,
-               m->n_verts);
+        ZS_SAY(e,
+               from_1(m) ? "triangle % of its mesh names vertex %, and none names vertex 0: are "
+                           "they counted from 1, as in an OBJ?"
+                         : "triangle % of its mesh names a vertex that is not there: n_verts is %.",
+               at, m->n_verts);
     else if (flaw == ZS_FLAW_SPHERE)
         ZS_SAY(e, "vertex % lies outside the mesh's sphere: radius is %, and % holds all of them.",
                at, m->radius, least_radius(m));
@@ -254,21 +268,35 @@ static ZS_NOINLINE int covers_itself(const struct zs_mesh *m, int both)
     return 0;
 }
 
-/* A mesh through which its own back is seen. Of the only instance in view: another one may stand
- * before the hole, or be its cover. */
+/* Return 1 if another instance may stand before instance i, or be its cover: both are in one place
+ * of the picture. */
+static int overlapped(const struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_renderer *const r = e->r;
+    struct zs_bounds b;
+    struct zs_box own, box;
+    zs_explain_bounds(e, i, &b);
+    const int known = zs_cull_box(r, &b, &own);
+    for (uint32_t k = 0; k < e->scene->n_instances; k++) {
+        zs_explain_bounds(e, k, &b);
+        if (k == i || zs_cull_sphere(&b, &r->camera, &r->view))
+            continue;
+        if (!known || !zs_cull_box(r, &b, &box) ||
+            (box.x1 > own.x0 && own.x1 > box.x0 && box.y1 > own.y0 && own.y1 > box.y0))
+            return 1;
+    }
+    return 0;
+}
+
+/* A mesh through which its own back is seen, and which no other one overlaps. */
 static void say_hole(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
 {
     struct zs_material m = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff) };
     struct zs_instance one = e->scene->instance[i];
     struct zs_mesh mesh = *one.mesh;
     struct zs_bounds b;
-    for (uint32_t k = 0; k < e->scene->n_instances; k++) {
-        zs_explain_bounds(e, k, &b);
-        if (k != i && !zs_cull_sphere(&b, &e->r->camera, &e->r->view))
-            return;
-    }
     zs_explain_bounds(e, i, &b);
-    if (zs_explain_eye_inside(&b) || b.c[2] - b.r <= e->r->camera.z_near)
+    if (overlapped(e, i) || zs_explain_eye_inside(&b) || b.c[2] - b.r <= e->r->camera.z_near)
         return;
     mesh.face_raw = 0;
     one.mesh = &mesh;
@@ -296,6 +324,12 @@ void zs_explain_shape(struct zs_explainer *e, uint32_t i, struct zs_seen *room)
         ZS_SAY(e,
                "instance % is not convex, and there is no depth memory: triangles cover nearer "
                "ones that are listed before them; take ZS_RENDERER and zs_depth_float.",
+               i);
+    if (in->depth_state && in->depth_state->func == ZS_DEPTH_ALWAYS && alone(e, i) &&
+        covers_itself(in->mesh, cull == ZS_CULL_NONE))
+        ZS_SAY(e,
+               "instance % is not convex, and its depth_state.func is ZS_DEPTH_ALWAYS: triangles "
+               "cover nearer ones that are listed before them; take ZS_DEPTH_LESS.",
                i);
     if (cull == ZS_CULL_BACK)
         say_hole(e, i, room);

@@ -76,9 +76,12 @@ static void say_scene(struct zs_explainer *e, int err)
 static int say_null(struct zs_explainer *e, const struct zs_instance *in)
 {
     const struct zs_material *const m = in->material;
-    const char *const field = !in->mesh                             ? "mesh is NULL."
-                              : !m                                  ? "material is NULL."
-                              : !m->shader                          ? "material.shader is NULL."
+    const char *const field = !in->mesh    ? "mesh is NULL."
+                              : !m         ? "material is NULL."
+                              : !m->shader ? "material.shader is NULL."
+                              : m->shader->by_fragment && !m->shader->fragment
+                                  ? "its shader's fragment stage is NULL."
+                              : !m->shader->run ? "its shader has no ZS_FRAGMENTS (zs_shader.h)."
                               : !in->mesh->pos && in->mesh->n_verts ? "mesh.pos is NULL."
                               : !in->mesh->tri && in->mesh->n_tris  ? "mesh.tri is NULL."
                                                                     : 0;
@@ -157,6 +160,8 @@ static void say_instance(struct zs_explainer *e, uint32_t i, int err)
         say_range(e, in);
     else if (err == ZS_ERR_MESH || err == ZS_ERR_NULL)
         say_mesh(e, in, err);
+    else if (err == ZS_ERR_VARYINGS && !in->material->shader->n_varyings)
+        ZS_SAY(e, "its shader has a vertex stage, and n_varyings is 0.");
     else if (err == ZS_ERR_VARYINGS)
         ZS_SAY(e, "its shader takes % varyings, and config.varyings is %.",
                in->material->shader->n_varyings, e->r->config.varyings);
@@ -236,7 +241,7 @@ uint32_t zs_explain_init_build(struct zs_renderer *r, const struct zs_config *co
                                size_t bytes, void (*say)(void *ctx, const char *text), void *ctx,
                                uint32_t build)
 {
-    struct zs_explainer e = { r, 0, 0, say, ctx, 0, 0, { 0 } };
+    struct zs_explainer e = { r, 0, 0, say, ctx, 0, 0, { 0 }, 0 };
     const int err = zs_init_build(r, config, arena, bytes, build);
     if (!err)
         return 0;

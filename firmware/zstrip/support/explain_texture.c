@@ -37,6 +37,15 @@ static void say_uv(struct zs_explainer *e, uint32_t i)
                i);
         return;
     }
+    if (!(x->log2_w && x->log2_h) && span[x->log2_w != 0] >> m->uv_bits) {
+        ZS_SAY(e,
+               x->log2_w ? "instance %: its texture is one texel high, and mesh.uv runs across it: "
+                           "log2_h is 0; of 64, it is 6."
+                         : "instance %: its texture is one texel wide, and mesh.uv runs across it: "
+                           "log2_w is 0; of 64, it is 6.",
+               i);
+        return;
+    }
     if ((span[0] << x->log2_w) >> m->uv_bits == 0 && (span[1] << x->log2_h) >> m->uv_bits == 0)
         ZS_SAY(e,
                "instance %: mesh.uv spans less than a texel: % is all of the texture with "
