@@ -42,7 +42,8 @@ extern const struct zs_dither_format zs_dither_grey4;  /* 16 greys of a panel (h
                                                           from 77 red + 150 green + 29 blue */
 extern const struct zs_dither_format zs_dither_mono;   /* black and white, from that grey */
 
-/* Both must be given. zs_invalidate (zs_damage.h) after a change under damage tracking. */
+/* Without one of them nothing is drawn. zs_invalidate (zs_damage.h) after a change under damage
+ * tracking. */
 struct zs_dither {
     const struct zs_dither_format *format;
     const struct zs_dither_pattern *pattern;

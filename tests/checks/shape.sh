@@ -10,8 +10,8 @@
 CORE_MAX=${CORE_MAX:-4140}         # lines of code in core/ and the public headers; the goal is 4200
 ALL_MAX=${ALL_MAX:-11179}           # ... in all of firmware/zstrip; the goal is 7000
 EFFECTS_MAX=${EFFECTS_MAX:-4828}   # ... in effect/ and its public headers
-OVERLAYS_MAX=${OVERLAYS_MAX:-1382} # ... in overlay/ and its public headers
-EXPLAIN_MAX=${EXPLAIN_MAX:-1890}   # ... in support/explain* and zs_explain.h
+OVERLAYS_MAX=${OVERLAYS_MAX:-1384} # ... in overlay/ and its public headers
+EXPLAIN_MAX=${EXPLAIN_MAX:-1896}   # ... in support/explain* and zs_explain.h
 METHODS_MAX=${METHODS_MAX:-2200}   # ... in method/ and its public headers
 DEPTHSORT_MAX=${DEPTHSORT_MAX:-734} # ... of depth sort; the goal is 600
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/

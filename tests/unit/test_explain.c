@@ -13,6 +13,7 @@
 #include "shapes.h"
 #include "zs_blend.h"
 #include "zs_damage.h"
+#include "zs_dither.h"
 #include "zs_explain.h"
 #include "zs_fast.h"
 #include "zs_fog.h"
@@ -1385,6 +1386,49 @@ static void indices_from_1(struct world *w)
     w->cube.tri = (const uint16_t(*)[3])face_1;
 }
 
+static struct zs_dither dither = { &zs_dither_grey4, &zs_dither_ordered };
+
+static void with_dither(struct world *w)
+{
+    dither.pattern = &zs_dither_ordered;
+    w->hook.draw = zs_dither_draw;
+    w->hook.ctx = &dither;
+    w->scene.resolve = &w->hook;
+    w->scene.n_resolves = 1;
+}
+
+static void point_lamp(struct world *w)
+{
+    with_lamps(w);
+    w->lamp.kind = ZS_LAMP_POINT;
+    w->lamp.pos[1] = 3000;
+    w->lamp.pos[2] = 4000;
+    w->lamp.dir[2] = 0;
+}
+
+static void with_stipple(struct world *w)
+{
+    with_glass(w);
+    w->glass.material.shader = &zs_stipple_flat;
+}
+
+MAKE(alpha_1, w->glass.alpha = 1)
+MAKE(fog_not_set, memset(w->fog.from, 0, sizeof w->fog.from))
+MAKE(fog_beyond_far, w->fog.start = 30000; w->fog.end = 60000;
+     w->fog_err = zs_fog_set(&w->fog, &w->config, &w->camera))
+MAKE(fog_without_depth, w->config.depth = &zs_depth_none)
+MAKE(lamp_in_it, w->lamp.pos[1] = w->lamp.pos[2] = 0)
+MAKE(lamp_far, w->lamp.pos[1] = w->lamp.pos[2] = 4000 << 10; w->lamp.half = 4000)
+MAKE(strength_of_255, w->lamp.strength = 255)
+MAKE(strength_5, w->lamp.strength = 5 * ZS_Q16_ONE)
+MAKE(five_lamps, w->lighting.n_lamps = 5)
+MAKE(shine_not_set, memset(&w->shine, 0, sizeof w->shine))
+MAKE(no_pattern, dither.pattern = NULL)
+MAKE(levels_of_nothing, w->texture.n_levels = 9)
+MAKE(raycast_glass, w->config.method = &zs_method_raycast)
+MAKE(item_clear, w->item.clear = 255)
+MAKE(text_of_size_9, w->item.kind = &zs_item_text; w->item.text = "HUD"; w->item.size = 9)
+MAKE(scale_below_0, w->instance[0].pose.scale = (zs_uq16_16)-65536)
 MAKE(far_in_second, w->camera.z_far = 9000 << 16)
 MAKE(near_in_first, w->camera.z_near = 4000 << 16)
 MAKE(log2_w_0, w->texture.log2_w = 0)
@@ -1437,6 +1481,26 @@ static const struct mistake partial[] = {
     { "n_varyings 0", own_shader, varyings_0, ZS_ERR_VARYINGS, I0 " is refused: its shader has a vertex stage, and" },
     { "indices from 1", NULL, indices_from_1, 0,
       I0 ": triangle 1 of its mesh names vertex 8, and none names vertex 0" },
+    { "alpha 1", with_glass, alpha_1, 0, I0 ": 6 triangles are drawn and colour no pixel: alpha is 0" },
+    { "stipple 1", with_stipple, alpha_1, 0, I0 ": 6 triangles are drawn and colour no pixel: alpha is 0" },
+    { "fog not set", with_fog, fog_not_set, 0, "resolve hook 0 gives all that is drawn one colour" },
+    { "fog beyond far", with_fog, fog_beyond_far, 0, "resolve hook 0 changes no pixel" },
+    { "fog without depth", with_fog, fog_without_depth, 0, "resolve hook 0 changes no pixel" },
+    { "lamp in it", point_lamp, lamp_in_it, 0, "all that is drawn is black: * look at strength" },
+    { "lamp far", point_lamp, lamp_far, 0, "all that is drawn is black: * at range, half and dir" },
+    { "strength 255", with_lamps, strength_of_255, 0, "all that is drawn is black: * look at strength: 1 is" },
+    { "strength 5", with_lamps, strength_5, ZS_ERR_RANGE,
+      I0 " is refused: its material has a field out of range: lamps" },
+    { "five lamps", with_lamps, five_lamps, ZS_ERR_RANGE,
+      I0 " is refused: its material has a field out of range: lamps" },
+    { "shine not set", with_lamps, shine_not_set, ZS_ERR_RANGE, I0 " is refused: its material * zs_shine_set has not" },
+    { "no pattern", with_dither, no_pattern, 0, "resolve hook 0 changes no pixel" },
+    { "levels of nothing", textured, levels_of_nothing, 0, I0 ": its texture has more mipmap levels than" },
+    { "glass by rays", with_glass, raycast_glass, 0,
+      I0 ": its shader mixes with what is behind it, and config.method" },
+    { "clear 255", with_overlay, item_clear, 0, "resolve hook 0 changes no pixel" },
+    { "text of size 9", with_overlay, text_of_size_9, 0, "resolve hook 0 changes no pixel" },
+    { "a scale below 0", NULL, scale_below_0, ZS_ERR_RANGE, I0 " is refused: it is too large: 2 steps" },
     { "edges in faces", edges_before_faces, edges_in_faces, 0,
       "instance 1: its lines lie in the surface of instance 0" },
 };
@@ -1709,6 +1773,9 @@ static void unusual_is_right(void **state)
 {
     static void (*const change[])(struct world *) = { backdrop,
                                                       ramp,
+                                                      with_dither,
+                                                      point_lamp,
+                                                      with_stipple,
                                                       two_apart,
                                                       two_in_order,
                                                       two_items,

@@ -26,6 +26,7 @@ struct zs_method {
                        pass before those of the next one */
     uint8_t buffer; /* 1: triangles of shaders without .layer are drawn as by the depth buffer, in
                        scene order and once */
+    uint8_t once;   /* 1: of each pixel, only the nearest triangle's colour is computed */
 };
 
 /* zs_method.list in scene order. */

@@ -77,4 +77,5 @@ static void coverage_strip(struct zs_renderer *r)
 const struct zs_method zs_method_coverage = { .begin = coverage_begin,
                                               .strip = coverage_strip,
                                               .full = zs_order_full,
-                                              .list = zs_order_list };
+                                              .list = zs_order_list,
+                                              .once = 1 };

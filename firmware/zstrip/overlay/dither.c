@@ -48,6 +48,8 @@ const struct zs_dither_pattern zs_dither_blue = { blue, 4 };
 void zs_dither_draw(void *ctx, const struct zs_target *t)
 {
     const struct zs_dither *d = (const struct zs_dither *)ctx;
+    if (!d->format || !d->pattern)
+        return;
     const uint32_t log2 = d->pattern->log2, mask = (1u << log2) - 1u;
     const uint32_t n = (uint32_t)t->x1 - t->x0;
     for (uint32_t y = t->y0; n && y < t->y1; y++)

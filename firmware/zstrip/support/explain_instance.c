@@ -5,6 +5,7 @@
  */
 #include "core/cold.h"
 #include "core/fx.h"
+#include "core/method.h"
 #include "core/primitive.h"
 #include "core/usual.h"
 #include "support/explain.h"
@@ -257,6 +258,11 @@ static void say_stages(struct zs_explainer *e, uint32_t i)
         ZS_SAY(e,
                "instance %: its shader's position is not called: ZS_POSITIONS (zs_shader.h) sets "
                "what calls it.",
+               i);
+    if (shader->layer && e->r->config.method->once)
+        ZS_SAY(e,
+               "instance %: its shader mixes with what is behind it, and config.method colours "
+               "each pixel once: take zs_method_transparent.",
                i);
     if (shader->fragment && !shader->by_fragment)
         ZS_SAY(e,
