@@ -214,7 +214,7 @@ static int copy_sources(const char *sources, const char *out, int with_emulator)
     return status;
 }
 
-/* How main.c gets its panel's bus on Linux. */
+/* How display.c gets its panel's bus on Linux. */
 static const char linux_wire_text[] =
     "#if HAL_LINUX\n"
     "    static const struct linux_wiring wiring = { .spi = \"/dev/spidev0.0\", .hz = 32000000, .dc = \"GPIO25\",\n"
@@ -225,6 +225,8 @@ static const char linux_wire_text[] =
 static int write_templates(const struct request *rq, const char *sources, const char *name, const char *input)
 {
     static const char *const files[][2] = { { "main.c", "main.c" },
+                                            { "display.c", "display.c" },
+                                            { "display.h", "display.h" },
                                             { "Makefile", "Makefile" },
                                             { "test.sh", "test.sh" },
                                             { "readme", "README.md" },

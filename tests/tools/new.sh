@@ -62,6 +62,8 @@ for board in pico stm32f405 lm3s6965 host linux; do
     z new --shade flat box.obj --board=$board --out "$board"
     [ "$status" = 0 ] || wrong "$(said)"
     grep -q '^/\* box.obj turns' "$board/main.c" || wrong "main.c begins with $(head -1 "$board/main.c")"
+    code=$(gcc -fpreprocessed -dD -E -P -x c "$board/main.c" | grep -c .)
+    [ "$code" -le 40 ] || wrong "main.c has $code lines without comments and blank ones, more than 40"
     grep -rlE '@[A-Z_]+@' $board --include='*' --exclude-dir=zstrip >words && wrong "words are left: $(cat words)"
     [ $board = host ] || project $board image || wrong "$(tail -3 made.txt)"
     project $board test BOARD=host || wrong "$(tail -3 made.txt)"
@@ -111,7 +113,7 @@ project dry test BOARD=host || wrong "$(tail -3 made.txt)"
 cmp -s wet/build/host/test_1.bin dry/build/host/test_1.bin && wrong 'it shines no more than without'
 
 begin new_says_what_does_not_fit
-sed -i 's/^#define ROWS .*/#define ROWS 240/; s/^#define TRIS .*/#define TRIS 9000/' opaque/main.c
+sed -i 's/^#define ROWS .*/#define ROWS 240/; s/^#define TRIS .*/#define TRIS 9000/' opaque/display.h opaque/main.c
 project opaque image BOARD=pico && wrong 'it fits'
 grep -q '^pico: opaque does not fit it. Pools take most of the RAM' made.txt || wrong "$(tail -3 made.txt)"
 
