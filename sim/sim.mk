@@ -103,8 +103,8 @@ endef
 $(foreach v,$(STUDY_BUILDS),$(eval $(call study_build,$(v))))
 
 $(B)/sim/hal/linux/%.o $(B)/sim/sim/linux/%.o: INC += -Ihal/linux -Isim/linux -pthread
-$(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD).c $(CORE) $(SCENES) $(PANELS) \
-                                                $(filter-out sim/cli/main.c,$(SIM))) $(B)/libmeshes.a
+$(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD).c $(CORE) $(SCENES) $(PIECES) \
+                                                $(PANELS) $(filter-out sim/cli/main.c,$(SIM))) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) -pthread $^ $(LIBS) $$(pkg-config --libs libgpiod) -o $@
 	@echo 'built $@'
 # What a cross compiler takes besides $(B)/gen's meshes and hal/linux/gpio_v1.c or gpio_v2.c

@@ -221,6 +221,12 @@ static const char linux_wire_text[] =
     "                                                .reset = \"GPIO27\", .backlight = \"GPIO18\" };\n"
     "    linux_wire(&wiring);\n"
     "#endif\n";
+/* ... and how it says more of an error. */
+static const char linux_why_text[] =
+    "#if HAL_LINUX\n"
+    "        hal_write(linux_why()); /* more of it */\n"
+    "        hal_write(\"\\n\");\n"
+    "#endif\n";
 
 static int write_templates(const struct request *rq, const char *sources, const char *name, const char *input)
 {
@@ -234,7 +240,7 @@ static int write_templates(const struct request *rq, const char *sources, const 
                                             { "gitignore", ".gitignore" } };
     const struct board *b = &boards[rq->board];
     char number[6][16], model[256], convert[512] = "zsim convert", zsim[PATH_MAX + 1], header[PATH_MAX];
-    char scratch[96] = "", from[PATH_MAX], to[PATH_MAX];
+    char scratch[96] = "", elf[64], from[PATH_MAX], to[PATH_MAX];
     const int is_linux = strcmp(b->name, "linux") == 0, is_pico = strcmp(b->name, "pico") == 0;
     uint32_t pool[2];
     (void)snprintf(header, sizeof header, "%s/model.h", rq->out);
@@ -245,6 +251,7 @@ static int write_templates(const struct request *rq, const char *sources, const 
     for (int i = 0; i < 6; i++)
         (void)snprintf(number[i], sizeof number[i], "%lu", (unsigned long)values[i]);
     last_name(model, sizeof model, input);
+    (void)snprintf(elf, sizeof elf, "%.50s.elf", name);
     const ssize_t n = readlink("/proc/self/exe", zsim, PATH_MAX);
     zsim[n > 0 ? n : 0] = '\0';
     if (b->pixel_bits < 16)
@@ -271,11 +278,14 @@ static int write_templates(const struct request *rq, const char *sources, const 
         { "SCRATCH_ARGS", scratch[0] != '\0' ? "scratch, sizeof scratch" : "NULL, 0" },
         { "INCLUDES", is_linux ? "#if HAL_LINUX /* not with BOARD=host */\n#include \"linux.h\"\n#endif\n" : "" },
         { "WIRE", is_linux ? linux_wire_text : "" },
+        { "WHY", is_linux ? linux_why_text : "" },
+        { "SHOW", is_pico ? "make show              # the program in an emulated Pico: pictures, and frames a second\n" : "" },
+        { "IMAGE", is_linux ? "the program for the panel: build/fw/linux/" : "what is flashed, in build/fw/" },
+        { "IMAGE_OF", is_linux ? elf : b->name },
         { "UNIT", b->pixel_bits < 16 ? "1" : "2" },
         { "DEFINES", gloss ? "-DZS_VARYINGS_MAX=4" : "" },
         { "OPTIONS", gloss ? "target_compile_options(zstrip PUBLIC -DZS_VARYINGS_MAX=4)\n" : "" },
         { "EMULATED", is_pico ? ", of the emulated Pico" : "" },
-        { "IN_EMULATOR", is_pico ? " in an emulated Pico" : "" },
         { "PACKAGES", b->packages },
     };
     int status = SIM_OK;
@@ -307,7 +317,8 @@ static int make_project(struct request *rq, const char *sources, const char *nam
     if (status == SIM_OK)
         status = write_templates(rq, sources, name, convert.input);
     if (status == SIM_OK)
-        (void)printf("%s: the program is main.c; make -C %s show\n", rq->out, rq->out);
+        (void)printf("%s: the program is main.c; make -C %s show%s\n", rq->out, rq->out,
+                     strcmp(b->name, "pico") == 0 ? "" : " BOARD=host");
     return status;
 }
 

@@ -337,6 +337,10 @@ truths() {
     truth_of te cubes 4 $tiny
 }
 
+# This machine's own program, as make linux builds it
+make -s B="$build" "$build/zstrip-linux" >"$out/own.log" 2>&1 && "$build/zstrip-linux" --help >>"$out/own.log" 2>&1 &&
+    grep -q -- --dry-run "$out/own.log" && ok linux_links_here || bad linux_links_here "$(tail -1 "$out/own.log")"
+
 halves=
 for half in bookworm:1 trixie:2; do
     name=${half%:*}

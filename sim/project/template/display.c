@@ -39,6 +39,6 @@ void display_close(int err)
     if (err) {
         hal_write(err > -100 ? zs_error_string(err) : panel_strerror(err));
         hal_write("\n");
-    }
+@WHY@    }
     hal_exit(err != 0);
 }
