@@ -38,7 +38,8 @@ view() { # FRAME
         printf "--fov 45 --near %.9g --far %.9g", $4 / $6, 5 * $4 / $6 }'
 }
 pool() { # NAME
-    sed -n "s/^#define $1 \([0-9]*\) .*/\1/p; s/^#define $1 \([0-9]*\)$/\1/p" "$project/main.c" "$project/display.h" | head -1
+    cat "$project/main.c" "$project/display.h" |
+        sed -n "s/^#define $1 \([0-9]*\) .*/\1/p; s/^#define $1 \([0-9]*\)$/\1/p" | head -1
 }
 one() { # MODEL
     case $1 in /*) model=$1 ;; *) model=$models/$1 ;; esac
