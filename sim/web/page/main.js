@@ -315,10 +315,10 @@ async function takeFiles(files) {
         app.modelError = undefined;
         app.controls.refuse('', '');
         say('');
+        const triangles = model.indices.length / 3;
         id('losses').textContent = [
-            `${model.name}: ${(model.indices.length / 3).toLocaleString('en-US')} triangles`,
-            ...model.losses,
-            ...(answer.losses || []),
+            `${model.name}: ${triangles.toLocaleString('en-US')} triangle${triangles === 1 ? '' : 's'}`,
+            ...new Set([...model.losses, ...(answer.losses || [])]),
         ].join('\n');
         markScene();
         app.stage.goHome();
