@@ -171,12 +171,20 @@ static int plain_sign(const double a[3], const double b[3], const double c[3], d
     return fabs(sum) > 1e-12 * size;
 }
 
-/* a d - b c, off by less than 2 ulps, so that its sign is right and 0 is 0 (Kahan; Jeannerod et al. 2013). */
-static double difference(double a, double d, double b, double c)
+/* Part c of the cross product of a and b, the sign always right and the value to about an ulp: the errors of both
+ * products count, and where these are nearly alike all is exact. */
+static double exact_cross(const double a[3], const double b[3], int c)
 {
-    const double product = b * c;
+    const int i = (c + 1) % 3, j = (c + 2) % 3;
+    const double plus = a[i] * b[j], minus = a[j] * b[i];
+    const double sum = plus - minus, seen = plus - sum, lost = (plus - (sum + seen)) + (seen - minus);
 
-    return fma(a, d, -product) + fma(-b, c, product);
+    if (fabs(sum) < 1e-3 * fabs(plus)) {
+        const double axis[3] = { c == 0, c == 1, c == 2 };
+
+        return exact_det(a, b, axis);
+    }
+    return sum + (lost + (fma(a[i], b[j], -plus) - fma(a[j], b[i], -minus)));
 }
 
 /* ---- camera and depth ---- */
@@ -361,7 +369,7 @@ static void project(const struct ref_camera *camera, int height, const double p[
 }
 
 /*
- * The lines, positive inside; their coefficients are right to a bit or two, in sign always.
+ * The lines, positive inside; their coefficients are right to the last bit or so, in sign always.
  * A line growing rightwards is a left edge, and a level one growing downwards a top edge.
  */
 static void make_lines(const struct job *job, struct setup *s)
@@ -371,7 +379,7 @@ static void make_lines(const struct job *job, struct setup *s)
         double *line = s->line[k];
 
         for (int c = 0; c < 3; c++)
-            line[c] = s->sign * difference(a[(c + 1) % 3], b[(c + 2) % 3], a[(c + 2) % 3], b[(c + 1) % 3]);
+            line[c] = s->sign * exact_cross(a, b, c);
         s->owns_zero[k] = line[0] > 0 || (line[0] == 0 && line[1] > 0);
         s->doubt[k] = DOUBTFUL * (fabs(line[0]) * job->width / 2 +
                                   fabs(line[1]) * job->height / 2 + fabs(line[2]));
