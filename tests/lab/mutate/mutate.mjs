@@ -171,7 +171,8 @@ const TRAPS = '-fsanitize=undefined -fsanitize-undefined-trap-on-error';
 const AS_SHIPPED = `${set.cc.replace(/ -O1 .*? -I/, ' -O2 -I').replace(/ -DZS_STATS=1.*/, ' -DZS_STATS=1')}`;
 
 function sh(command, input) {
-    const r = spawnSync('sh', ['-c', command], { encoding: 'utf8', input, env: { ...process.env, LC_ALL: 'C' } });
+    const r = spawnSync('sh', ['-c', command], { encoding: 'utf8', input, maxBuffer: 1 << 28,
+        env: { ...process.env, LC_ALL: 'C' } });
     return { status: r.status, out: r.stdout, err: r.stderr };
 }
 function must(command) {
