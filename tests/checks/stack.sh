@@ -62,6 +62,8 @@ bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _
     most=$EFFECTS_LIMIT
     case $1 in
     *-effects-*) ;;
+    *-explain) rm -f "$dir"/effect_*.* && # it looks at the items of an overlay, by its list
+        find "$dir" -name 'overlay_*' ! -name 'overlay_overlay.*' -exec rm {} + ;;
     *) most=$LIMIT && rm -f "$dir"/effect_*.* "$dir"/overlay_*.* ;;
     esac
     prefix=zs_ first=zs_render
