@@ -67,15 +67,13 @@ static void say_keys(struct zs_explainer *e)
 /* ---- Near and far ---------------------------------------------------------------------------- */
 
 /* Of instance i, which reaches beyond near or far, more is seen where these are farther out. */
-static int say_cut(struct zs_explainer *e, uint32_t i)
+static int say_cut(struct zs_explainer *e, uint32_t i, const struct zs_bounds *b,
+                   const struct zs_camera *c)
 {
     const struct zs_camera *const camera = e->camera;
-    const struct zs_camera own = e->r->camera, *const c = &own; /* of all draws but one */
-    struct zs_camera wide = own;
-    struct zs_bounds b;
+    struct zs_camera wide = *c;
     struct zs_seen seen;
-    zs_explain_bounds(e, i, &b);
-    const int64_t begins = b.c[2] - b.r, ends = b.c[2] + b.r;
+    const int64_t begins = b->c[2] - b->r, ends = b->c[2] + b->r;
     const int near = begins < c->z_near;
     if (!near)
         wide.z_far = ends + 65536;
@@ -102,7 +100,7 @@ static int say_cut(struct zs_explainer *e, uint32_t i)
  * there, far is no limit that was meant. The eye is not in it, as in a room or over a landscape. */
 void zs_explain_cut(struct zs_explainer *e)
 {
-    const struct zs_camera own = e->r->camera, *const c = &own;
+    const struct zs_camera own = e->r->camera, *const c = &own; /* of all draws but one */
     uint32_t whole = e->scene->n_resolves, tried = 0;
     struct zs_bounds b;
     for (uint32_t i = 0; i < e->scene->n_instances; i++) {
@@ -124,7 +122,7 @@ void zs_explain_cut(struct zs_explainer *e)
             (b.c[2] - b.r >= c->z_near && b.c[2] + b.r <= c->z_far))
             continue;
         tried++;
-        if (say_cut(e, i))
+        if (say_cut(e, i, &b, c))
             return;
     }
 }
