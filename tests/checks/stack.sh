@@ -31,7 +31,8 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     none=zs_method.begin,zs_shader.place,zs_shader.span,zs_reflection,zs_mirror_ops,zs_mask
     bound "$2" '' "$(echo "$empty,$none" | sed 's/^-,//')"
     copy "$2-explain"
-    bound "$2-explain" '' "$(echo "$empty,$none" | sed 's/^-,//')"
+    printf '#include "zs_overlay.h"\nconst struct zs_resolve hook = { .draw = zs_overlay_draw };\n' >>"$dir/main.c"
+    bound "$2-explain" '' "$(echo "$empty,$none,zs_item_kind" | sed 's/^-,//')"
     case $2 in bare-*) return ;; esac
     copy "$2-share"
     bound "$2-share" '' "$(echo "$empty,$none" | sed 's/^-,//')"

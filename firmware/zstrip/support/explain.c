@@ -265,12 +265,20 @@ static void say_narrow(struct zs_explainer *e)
         ZS_SAY(e, "the camera sees less than one degree: was ZS_DEGREES meant for its angle?");
 }
 
+/* Of a frame in which nothing is seen. Not inlined: what is seen of one takes stack. */
+static ZS_NOINLINE void say_unseen(struct zs_explainer *e)
+{
+    struct zs_seen one;
+    for (uint32_t i = 0; i < e->scene->n_instances && e->said < ZS_EXPLAIN_MOST / 2u; i++)
+        (void)zs_explain_unseen(e, i, &one);
+}
+
 /* The scene is one that zs_frame_begin accepts. */
 static void say_all(struct zs_explainer *e, const struct kept *kept)
 {
     const struct zs_stats *const last = &kept->stats;
     const struct zs_scene *const scene = e->scene;
-    struct zs_seen all, one;
+    struct zs_seen all;
     if (last->strips && last->strips < e->r->n_strips)
         ZS_SAY(e,
                "the last frame ended after % of % strips: a function of the sink returned an "
@@ -285,14 +293,14 @@ static void say_all(struct zs_explainer *e, const struct kept *kept)
     zs_explain_draw(e, 0, 0, &all);
     const int light = zs_explain_light(e, &all);
     const int seen = (scene->sky ? all.colored : all.visible) != 0;
-    for (uint32_t i = 0; !seen && i < scene->n_instances && e->said < ZS_EXPLAIN_MOST / 2u; i++)
-        (void)zs_explain_unseen(e, i, &one);
+    if (!seen)
+        say_unseen(e);
     if (seen && all.uniform)
         say_filled(e);
     if (!light)
         zs_explain_dark(e, &all);
     for (uint32_t i = 0; i < scene->n_instances; i++)
-        zs_explain_instance_data(e, i, seen, &one);
+        zs_explain_instance_data(e, i, seen, &all);
     zs_explain_draw(e, 0, 0, &all); /* the view is that of all instances again */
     if (seen)
         zs_explain_cut(e);
