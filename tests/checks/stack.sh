@@ -31,7 +31,7 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     none=zs_method.begin,zs_shader.place,zs_shader.span,zs_reflection,zs_mirror_ops,zs_mask
     bound "$2" '' "$(echo "$empty,$none" | sed 's/^-,//')"
     copy "$2-explain"
-    printf '#include "zs_overlay.h"\nconst struct zs_resolve hook = { .draw = zs_overlay_draw };\n' >>"$dir/main.c"
+    hook "$dir/hook"
     bound "$2-explain" '' "$(echo "$empty,$none,zs_item_kind" | sed 's/^-,//')"
     case $2 in bare-*) return ;; esac
     copy "$2-share"
@@ -45,6 +45,11 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
         copy "$2-effects-${method%%_*}"
         bound "$2-effects-${method%%_*}" "$method" "$(echo "$empty,zs_shader.place" | sed 's/^-,//')"
     done
+}
+hook() { # FILE: the hook of a program with an overlay, which zs_explain looks for, as an object beside the others
+    printf '#include "zs_overlay.h"\nconst struct zs_resolve hook = { .draw = zs_overlay_draw };\n' >"$1.c"
+    # shellcheck disable=SC2086
+    ${ARM}gcc -std=c11 -mcpu="$c" -mthumb $OPT $flags $MEASURED -Ifirmware/zstrip -c "$1.c" -o "$1.o"
 }
 copy() { # NAME: a folder of all objects
     dir=$B/stack-$1
