@@ -43,7 +43,7 @@ ZS_C_BEGIN
  *         be seen: triangles left out on the far side, log2_w of a texture of less than 4 x 8.
  * Cost    that of the frame, four times that of each instance, and of a check of all meshes; up to
  *         40 times the frame where nothing is seen. 31 KB of flash with zs_check.h (Cortex-M3,
- *         -O2), and 1.3 KB for zs_overlay_draw, where the program has none; 1.9 KB of stack beside
+ *         -O2), and 1.3 KB for zs_overlay_draw, where the program has none; 1.7 KB of stack beside
  *         the frame's.
  * Return  the number of sentences. */
 uint32_t zs_explain(struct zs_renderer *r, const struct zs_scene *scene,
