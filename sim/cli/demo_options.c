@@ -177,9 +177,7 @@ int sim_demo_parse(struct sim_demo_request *rq, int argc, char **argv)
 {
     char seen[N_TABLE] = { 0 };
     struct pm_glass glass;
-    int status = SIM_OK;
-    for (int i = 0; status == SIM_OK && i < argc; i++)
-        status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
+    int status = sim_options_take(table, N_TABLE, rq, seen, argc, argv, 0);
     if (status != SIM_OK || rq->help)
         return status;
     status = sim_fast_take(&rq->fast, rq->fast_names);

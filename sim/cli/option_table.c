@@ -111,6 +111,15 @@ int sim_option_take(const struct sim_option *table, size_t n, void *to, char *se
     return SIM_OK;
 }
 
+int sim_options_take(const struct sim_option *table, size_t n, void *to, char *seen, int argc, char **argv,
+                     int first)
+{
+    int status = SIM_OK;
+    for (int i = first; status == SIM_OK && i < argc; i++)
+        status = sim_option_take(table, n, to, seen, argc, argv, &i);
+    return status;
+}
+
 static int size_in_range(const struct sim_option *opt, const long size[2], const char *file)
 {
     for (int k = 0; opt->lo < opt->hi && k < 2; k++)

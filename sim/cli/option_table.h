@@ -59,6 +59,9 @@ const struct sim_option *sim_option_find(const struct sim_option *table, size_t 
 /* The option at argv[*i], with its value, into the struct at `to`; *i is at the last word that was taken. seen[k]
  * becomes 1 for row k of the table. SIM_OK; SIM_USAGE where there is no such option or its value is not of its kind. */
 int sim_option_take(const struct sim_option *table, size_t n, void *to, char *seen, int argc, char **argv, int *i);
+/* All words from argv[first] on, in the same way, to the first that cannot be taken. */
+int sim_options_take(const struct sim_option *table, size_t n, void *to, char *seen, int argc, char **argv,
+                     int first);
 
 /* Do the options that were seen lie in their ranges? SIM_OK; SIM_REFUSED, said why about `file`. */
 int sim_options_in_range(const struct sim_option *table, size_t n, const void *at, const char *seen, const char *file);

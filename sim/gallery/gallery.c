@@ -182,9 +182,7 @@ int sim_gallery(int argc, char **argv)
     struct gallery_shot(*shot)[GALLERY_SCENES];
     struct sim_picture effect[GALLERY_EFFECTS] = { { 0 } };
     char seen[N_TABLE] = { 0 };
-    int status = SIM_OK;
-    for (int i = 0; status == SIM_OK && i < argc; i++)
-        status = sim_option_take(table, N_TABLE, &rq, seen, argc, argv, &i);
+    int status = sim_options_take(table, N_TABLE, &rq, seen, argc, argv, 0);
     if (status == SIM_OK && rq.help) {
         sim_option_help(table, N_TABLE, &help);
         return SIM_OK;

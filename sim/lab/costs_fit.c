@@ -326,11 +326,9 @@ static const struct sim_help help = {
 static int parse(struct request *rq, int argc, char **argv)
 {
     char seen[N_TABLE] = { 0 };
-    int status = SIM_OK;
     memset(rq, 0, sizeof *rq);
     rq->bar = 15.0;
-    for (int i = 0; status == SIM_OK && i < argc; i++)
-        status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
+    int status = sim_options_take(table, N_TABLE, rq, seen, argc, argv, 0);
     return status == SIM_OK && !rq->help ? sim_options_in_range(table, N_TABLE, rq, seen, NULL) : status;
 }
 

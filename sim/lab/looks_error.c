@@ -121,9 +121,7 @@ int sim_looks(int argc, char **argv)
 {
     struct request rq = { .bar = 20.0 };
     char seen[N_TABLE] = { 0 };
-    int status = SIM_OK;
-    for (int i = 0; status == SIM_OK && i < argc; i++)
-        status = sim_option_take(table, N_TABLE, &rq, seen, argc, argv, &i);
+    int status = sim_options_take(table, N_TABLE, &rq, seen, argc, argv, 0);
     if (status == SIM_OK && rq.help) {
         sim_option_help(table, N_TABLE, &help);
         return SIM_OK;

@@ -85,10 +85,8 @@ static int check(struct linux_options *o)
 int linux_options_parse(struct linux_options *o, int argc, char **argv)
 {
     char seen[N_TABLE] = { 0 };
-    int status = SIM_OK;
     *o = (struct linux_options){ .step = 1, .subpixel = 8, .strip = 24 };
-    for (int i = 1; status == SIM_OK && i < argc; i++)
-        status = sim_option_take(table, N_TABLE, o, seen, argc, argv, &i);
+    int status = sim_options_take(table, N_TABLE, o, seen, argc, argv, 1);
     if (status != SIM_OK || o->help)
         return status;
     status = sim_options_in_range(table, N_TABLE, o, seen, NULL);

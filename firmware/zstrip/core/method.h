@@ -24,9 +24,9 @@ struct zs_method {
     uint16_t (*list)(struct zs_renderer *r);
     uint8_t passes; /* 1: frames may be drawn in passes (zs_pass.h): a list has the triangles of a
                        pass before those of the next one */
-    uint8_t buffer, once; /* buffer 1: triangles of shaders without .layer are drawn as by the depth
-                             buffer, in scene order and once. once 1: of each pixel, only the
-                             nearest triangle's colour is computed */
+    uint8_t buffer; /* 1: triangles of shaders without .layer are drawn as by the depth buffer, in
+                       scene order and once */
+    uint8_t once;   /* 1: of each pixel, only the nearest triangle's colour is computed */
 };
 
 /* zs_method.list in scene order. */

@@ -116,7 +116,8 @@ static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tr
     *list = (uint16_t)(job->tri - job->r->tri);
     return job->r->tri + *list;
 }
-/* Whether fast->draw, which has declined, has tried what fast_setup does. */
+/* Whether fast->draw, which has declined, has tried what fast_setup does. On an RP2040 worth 1 %
+ * of a scene of small smooth triangles in perspective, 0.2 % of teapot and china. */
 #define fast_tried(job) ((job)->kept.of == (job)->tri->instance || !(job)->texture)
 #else
 #define fast_chain(job, all) ((void)0)
