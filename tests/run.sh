@@ -29,8 +29,8 @@ export WERROR DEBUG
 list() {
     {
         grep -v '^#' $parts
-        for program in tests/*/test_*.c test_xform_narrow.c; do # those that have no line yet
-            name=$(basename "$program" .c)
+        for program in tests/*/test_*.c test_raster_narrow.c test_texture_narrow.c test_xform_narrow.c; do
+            name=$(basename "$program" .c) # those that have no line yet
             grep -q "^$name " $parts || echo "$name - - -"
         done
     } | while read -r name seconds uses after _; do

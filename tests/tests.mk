@@ -20,7 +20,7 @@ TEST_HELP = $(wildcard tests/lib/*.c) tests/lab/fuzz/world.c tests/lab/fuzz/effe
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
 # Unit tests by name, and those that T= names
-UNITS = $(basename $(notdir $(TESTS))) test_xform_narrow
+UNITS = $(basename $(notdir $(TESTS))) test_xform_narrow test_raster_narrow test_texture_narrow
 UNITS_T = $(strip $(if $(T),$(foreach u,$(UNITS),$(if $(findstring $(T),$(u)),$(u)))))
 
 unit-programs: $(UNITS:%=$(B)/test/%)
@@ -50,8 +50,13 @@ $(foreach d,unit property tools,$(eval $(call test_program,$d)))
 NARROW = tests/unit/test_xform.c $(shell grep -lwE 'ZS_ROW_WORDS|zs_rows' $(CORE))
 $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 	@mkdir -p $(@D)
-	@$(TEST_CC) -DZS_ROW_WIDE=0 $(DEP) -c $< -o $@
+	@$(TEST_CC) -DZS_ROW_WIDE=0 -DZS_64=0 $(DEP) -c $< -o $@
 $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtest.a $(B)/libmeshes.a
+	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
+# The same for accelerators that registers of 64 bits have in place of others
+NARROW_FAST = $(shell grep -lw ZS_64 firmware/zstrip/fast/*.c)
+$(B)/test/test_raster_narrow $(B)/test/test_texture_narrow: $(B)/test/test_%_narrow: $(B)/test/tests/unit/test_%.o \
+    $(NARROW_FAST:%.c=$(B)/test/narrow/%.o) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_explain: $(call t,$(wildcard firmware/examples/*.c))

@@ -211,6 +211,9 @@ static uint32_t at_once;
 
 static int counted_draw(struct zs_job *job)
 {
+#if ZS_CHAIN_USED
+    job->chain = NULL; /* one triangle a call */
+#endif
     const int done = ((const struct counted_fast *)(const void *)job->fast)->draw_of(job);
     at_once += (uint32_t)done;
     return done;

@@ -27,6 +27,16 @@
 #define ZS_DIVIDES 1
 #endif
 
+/* 1: registers hold 64 bits. ZS_64 = 0 is for tests: such a machine draws as others do. */
+#if defined(__x86_64__) || defined(__aarch64__)
+#define ZS_HAS_64 1
+#else
+#define ZS_HAS_64 0
+#endif
+#ifndef ZS_64
+#define ZS_64 ZS_HAS_64
+#endif
+
 #if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && !ZS_FOR_SIZE
 
 /* a b = a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0. AH and BH are the shifts that extract the high
@@ -279,6 +289,13 @@ static inline void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
 #define ZS_ANEW(x) __asm__("" : "+r"(x))
 #else
 #define ZS_ANEW(x) ((void)0)
+#endif
+
+/* Keep the compiler from holding what it has loaded: it would spill it, and load it from there. */
+#if defined(__GNUC__)
+#define ZS_FORGET __asm__ volatile("" : : : "memory")
+#else
+#define ZS_FORGET ((void)0)
 #endif
 
 /* Not 0 if v does not fit 16 bits. */

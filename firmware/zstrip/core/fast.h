@@ -136,7 +136,7 @@ struct zs_fast {
     const struct zs_shader *shader;
     /* In place of set-up and rasterisation: draw job->tri in its strip. Called if the triangle has
      * no depth state, its keys may be linear, and no pixel of the strip is uncleared. Sets
-     * job->row_last if it returns 1. On an RP2040, where job->chain is set, it may go on to those
+     * job->row_last if it returns 1. Where job->chain is set (ZS_CHAIN_USED), it may go on to those
      * next in the list, of one instance, that end in the strip; job->tri is the last. */
     int (*draw)(struct zs_job *job);
 #if ZS_SET_UP

@@ -181,7 +181,8 @@ ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
     const int32_t upper = (int32_t)(y >> 16) * e,
                   lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */
     /* floor: exact below 2^32 + 2 */
-    const uint32_t r = y + (uint32_t)((upper + (lower >> 16)) >> 15);
+    const uint32_t r = y + (ZS_64 ? (uint32_t)((int64_t)y * e >> 31)
+                                  : (uint32_t)((upper + (lower >> 16)) >> 15));
     return r >> 31 ? r : UINT32_MAX;
 }
 

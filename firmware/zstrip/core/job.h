@@ -118,6 +118,13 @@ struct zs_kept {
 };
 #endif
 
+/* 1: zs_fast.draw may go on to the triangles that come next. */
+#if ZS_HAS_64 || (ZS_SET_UP && ZS_RP2040)
+#define ZS_CHAIN_USED 1
+#else
+#define ZS_CHAIN_USED 0
+#endif
+
 /* The job lives only while its triangle is drawn in one strip. The fields that scanlines, spans and
  * set-up need come first: a Cortex-M0 reaches 124 bytes behind a pointer at no extra cost. */
 struct zs_job {
@@ -163,8 +170,13 @@ struct zs_job {
     struct zs_cut cut[ZS_CUT_ROWS];
     struct zs_plane64 w64; /* if keys are not linear on the screen: 1/z ... */
     int32_t w64_scale;     /* ... and its scale */
+#if ZS_CHAIN_USED
+    struct zs_tri *chain; /* all triangles, where fast->draw may go on to the next; or NULL */
+#if ZS_HAS_64
+    uint16_t **keep; /* where the end of the list is that goes on below the strip; or NULL */
+#endif
+#endif
 #if ZS_SET_UP && ZS_RP2040
-    const struct zs_tri *chain; /* all triangles, where fast->draw may go on to the next; or NULL */
     struct zs_kept kept;
 #endif
 };

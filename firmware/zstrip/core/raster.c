@@ -83,6 +83,27 @@ static int sides(struct zs_job *job)
     return 1;
 }
 
+#if ZS_CHAIN_USED
+#define fast_chain(job, all) ((void)((job)->chain = (all)))
+/* Return job->tri, to which fast->draw has gone on from t; *list: its number. */
+static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tri *t,
+                                          uint16_t *list)
+{
+    if (job->tri == t)
+        return t;
+    *list = (uint16_t)(job->tri - job->r->tri);
+    return job->r->tri + *list;
+}
+#else
+#define fast_chain(job, all) ((void)0)
+#define fast_reached(job, t, list) (t)
+#endif
+#if ZS_HAS_64
+#define fast_keep(job, at) ((void)((job)->keep = (at)))
+#else
+#define fast_keep(job, at) ((void)0)
+#endif
+
 /* What accelerators of Armv6-M do in place of set-up: nothing is done where a core has none. */
 #if ZS_SET_UP
 static enum zs_set_up (*set_up_of(const struct zs_renderer *r))(struct zs_job *)
@@ -106,22 +127,10 @@ static inline void fast_target(struct zs_job *job, const struct zs_renderer *r)
 }
 
 #if ZS_RP2040
-#define fast_chain(job, all) ((void)((job)->chain = (all)))
-/* Return job->tri, to which fast->draw has gone on from t; *list: its number. */
-static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tri *t,
-                                          uint16_t *list)
-{
-    if (job->tri == t)
-        return t;
-    *list = (uint16_t)(job->tri - job->r->tri);
-    return job->r->tri + *list;
-}
 /* Whether fast->draw, which has declined, has tried what fast_setup does. On an RP2040 worth 1 %
  * of a scene of small smooth triangles in perspective, 0.2 % of teapot and china. */
 #define fast_tried(job) ((job)->kept.of == (job)->tri->instance || !(job)->texture)
 #else
-#define fast_chain(job, all) ((void)0)
-#define fast_reached(job, t, list) (t)
 #define fast_tried(job) 0
 #endif
 
@@ -144,8 +153,6 @@ static inline int fast_start(struct zs_job *job)
 }
 #else
 #define fast_target(job, r) ((void)(job))
-#define fast_chain(job, all) ((void)0)
-#define fast_reached(job, t, list) (t)
 #define fast_tried(job) 0
 #define fast_setup(job) ((void)(job), ZS_SET_UP_NOT)
 #define fast_start(job) ((void)(job), 0)
@@ -373,6 +380,7 @@ void zs_raster_strip(struct zs_renderer *r)
             if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
                 number = ZS_NIL; /* first touch has ended: call job_instance again, which may now
                                     return a function for small triangles */
+            fast_keep(&job, goes_on ? &keep : 0);
             if (!ZS_IF_FAST(whole) || !whole(&job)) {
                 if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;

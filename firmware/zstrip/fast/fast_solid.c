@@ -9,7 +9,7 @@
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/rows.h"
-#include "fast/small.h"
+#include "fast/small64.h"
 #include "zs_fast.h"
 
 /* The distance in bytes from a pixel's key to its colour, for loops that step one pointer only. */
@@ -118,6 +118,72 @@ ZS_ALWAYS_INLINE int32_t small_pixels(uint16_t *at, uint16_t *const end, uintptr
     return written;
 }
 
+#if ZS_64
+
+/* Test and draw the rows of a small triangle. ZS_FORGET: what a row needs once is loaded there. */
+ZS_ALWAYS_INLINE void small_rows(struct zs_job *job, struct zs_sides *w)
+{
+    const uintptr_t pitch = w->down[0], beside = beside_of(job);
+    const uint16_t paint = job->tri->paint;
+    uintptr_t row = (uintptr_t)job->depth + (uint32_t)(w->row - job->y0) * pitch + w->left + 2u;
+    uintptr_t end = row + (uint32_t)(w->mid - w->row) * pitch;
+    const uintptr_t last = row + (uint32_t)(w->end - w->row) * pitch;
+    uint32_t tested = 0, key = w->key;
+    int32_t written = 0;
+    for (;;) {
+        uint32_t left = w->sum[0], right = w->sum[1];
+        for (; row != end; row += pitch) {
+            ZS_FORGET;
+            const uint32_t x0 = left / w->side[0], x1 = right / w->side[2];
+            left += w->side[1];
+            ZS_ANEW(left);
+            right += w->side[3];
+            if (x0 < x1) {
+                tested += x1 - x0;
+                written += small_pixels((uint16_t *)row + x0 - 1, (uint16_t *)row + x1 - 1, beside,
+                                        key + w->gx * x0, w->gx, paint);
+            }
+            key += w->down[1];
+        }
+        end = last;
+        if (row == end)
+            break;
+        w->sum[0] = left;
+        w->sum[1] = right;
+        zs_small_turn(w);
+    }
+    job->r->stats.pixels_tested += tested;
+    zs_rows_written(job, written);
+}
+
+/* Draw job->tri, and those after it as long as none is declined. */
+static int small_draw(struct zs_job *job)
+{
+    struct zs_small64_of of;
+    struct zs_small64 s;
+    struct zs_sides w;
+    const struct zs_tri *drawn = 0;
+    zs_small64_begin(job, &of, &w);
+    do {
+        enum zs_small_outcome outcome = ZS_SMALL_NOT;
+        if (zs_small64_look(&of, job->tri, &s) && zs_small64_keys(&s))
+            outcome = zs_small64_place(job, &of, &s);
+        if (outcome == ZS_SMALL_NOT)
+            return zs_small64_declined(job, drawn);
+        if (outcome == ZS_SMALL_ROWS) {
+            w.key = (uint32_t)zs_small64_key(&s);
+            w.gx = (uint32_t)s.gx;
+            w.down[1] = 0u - (uint32_t)s.up;
+            zs_small64_sides(job, &s, &w);
+            small_rows(job, &w);
+        }
+        drawn = job->tri;
+    } while (zs_small64_next(job));
+    return 1;
+}
+
+#else
+
 static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w)
 {
     const uint32_t pitch = w->down[0];
@@ -176,6 +242,8 @@ static int small_draw(struct zs_job *job)
     small_rows(job, &w);
     return 1;
 }
+
+#endif
 
 #define SOLID(of)                                                                                  \
     {                                                                                              \

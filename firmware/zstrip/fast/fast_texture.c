@@ -12,6 +12,7 @@
 #include "fast/less.h"
 #include "fast/set_up.h"
 #include "fast/small.h"
+#include "fast/texture64.h"
 #include "shade/texture.h"
 #include "zs_fast.h"
 
@@ -40,6 +41,13 @@ static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job,
     }
     return &lit->texture;
 }
+
+#if ZS_64
+
+#define draw_unlit zs_texture64_draw
+#define draw_lit zs_texture64_draw_lit
+
+#else
 
 /* ---- Small triangles -------------------------------------------------------------------------
  *
@@ -160,6 +168,8 @@ ZS_IN_ORDER static int draw_lit(struct zs_job *job)
 {
     return draw(job, 1);
 }
+
+#endif
 
 /* ---- Perspective division, several pixels at a time ------------------------------------------ */
 

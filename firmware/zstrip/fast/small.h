@@ -52,6 +52,24 @@ struct zs_sides {
     uint32_t next[2], next_sum; /* ... that side's span, step and sum */
 };
 
+#if ZS_64
+
+/* The same for a textured triangle, on cores whose registers hold 64 bits. at, down and right: two
+ * words at column 0 of the next row; added for each row; added for each pixel. The first word is u
+ * (uq0_32) 2^32 + key; no carry of the key reaches u where a pixel is covered, as the key is not
+ * modulo 2^32. The second is v, shifted so that its row of the texture, times the width, begins at
+ * bit 32. */
+struct zs_texel_rows {
+    struct zs_sides sides; /* without down[1], key and gx */
+    uint64_t at[2], down[2], right[2];
+    uint32_t column, scale, mask; /* shifts from u to its column, to v's word; of v's row */
+    uint32_t tested;              /* number of pixels so far */
+    uint32_t light, light_right,
+        light_down; /* uq1_31, half of 2^-10 added, in the same way; only for lit triangles */
+};
+
+#else
+
 /* The same for a textured triangle. at, down and right are the key, u and v (uq0_32): at column 0
  * of the next row; added for each row; added for each pixel. */
 struct zs_texel_rows {
@@ -62,6 +80,8 @@ struct zs_texel_rows {
     uint32_t light, light_right,
         light_down; /* uq1_31, half of 2^-10 added, in the same way; only for lit triangles */
 };
+
+#endif
 
 enum zs_small_outcome {
     ZS_SMALL_NOT = 0,  /* declined */
