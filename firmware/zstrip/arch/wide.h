@@ -291,11 +291,14 @@ static inline void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
 #define ZS_ANEW(x) ((void)0)
 #endif
 
-/* Keep the compiler from holding what it has loaded: it would spill it, and load it from there. */
+/* Keep the compiler from holding what it has loaded: it would spill it, and load it from there. Of
+ * variables it holds those whose address it alone knows, until ZS_IN_MEMORY gives it away. */
 #if defined(__GNUC__)
 #define ZS_FORGET __asm__ volatile("" : : : "memory")
+#define ZS_IN_MEMORY(at) __asm__ volatile("" : : "r"(at) : "memory")
 #else
 #define ZS_FORGET ((void)0)
+#define ZS_IN_MEMORY(at) ((void)(at))
 #endif
 
 /* Not 0 if v does not fit 16 bits. */

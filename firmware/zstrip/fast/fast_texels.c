@@ -151,7 +151,7 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
                     pitch = w->sides.down[0];
     const void *const texel = t->texel;
     const uint16_t *const palette = t->palette;
-    const uint32_t mask = w->mask;
+    const uint64_t mask = w->mask;
     const uint8_t column = (uint8_t)w->column;
     uintptr_t row = (uintptr_t)job->depth + (uint32_t)(w->sides.row - job->y0) * pitch +
                     w->sides.left + 2u;
@@ -160,7 +160,7 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
     int32_t written = 0;
     w->tested = 0;
     for (;;) {
-        for (; row != end; row += w->sides.down[0]) {
+        for (; row != end; row += pitch) {
             ZS_FORGET;
             const uint32_t left = w->sides.sum[0], right = w->sides.sum[1];
             const uint64_t right0 = w->right[0], right1 = w->right[1];
@@ -188,7 +188,7 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
                 if (key < *depth) {
                     *depth = key;
                     uint32_t c = read(texel, palette,
-                                      ((uint32_t)(v >> 32) & mask) + (uint32_t)(uk >> column));
+                                      (v >> 32 & mask) + (uk >> column));
                     if (lit)
                         c = zs_texture_shine(c, light >> ZS_TEXTURE_LIGHT_SHIFT);
                     *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16((uint16_t)c);

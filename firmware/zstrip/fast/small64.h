@@ -1,9 +1,10 @@
 /* Set-up of small triangles (fast/small.h) on cores whose registers hold 64 bits, x86-64 and
  * AArch64: the same bits by fewer instructions, one triangle of the list after the other.
  *
- * On x86-64 it takes, with the loops over rows for it (fast_solid.c, fast_texels.c), 7 % of scene
- * relief, 8 % of sheet, 20 % of relief_tex, 11 % of mesh_tex_lit. 12,600 bytes, in place of 9,900.
- * Others have none of it. Internal.
+ * On x86-64 it saves, with the loops over rows for it (fast_solid.c, fast_texels.c), 7 % of scene
+ * relief (0.15 of 2.06 million instructions), 8 % of sheet (1.2 of 15.7), 24 % of relief_tex (0.9
+ * of 3.76), 14 % of mesh_tex_lit (0.5 of 3.47). These files take 17,900 bytes there, 18,800 without
+ * it. Other cores have none of it. Internal.
  *
  * SPDX-License-Identifier: MIT
  */

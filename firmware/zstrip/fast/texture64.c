@@ -18,6 +18,7 @@ struct set {
     uint32_t varyings, slow; /* slow: view.key_slow */
     uint32_t uv_bits, up[2]; /* up: log2 of the size that counts for the error */
     uint32_t bias[2];
+    uint64_t bound; /* of the change of depth, times the size in texels 2^uv_bits */
     int32_t lit; /* 0: all texels are drawn as they are */
 };
 
@@ -34,6 +35,7 @@ static int begin(const struct zs_job *job, struct set *set, struct zs_texel_rows
     set->attr = r->attr;
     set->varyings = r->config.varyings;
     set->uv_bits = zs_instance_of(r, job->tri->instance)->mesh->uv_bits;
+    set->bound = (uint64_t)(set->slow >> (ZS_SPAN_BOUND_LOG2 - 2)) << set->uv_bits;
     set->up[0] = zs_maxu32(t->log2_w, ZS_TEXTURE_FLOOR_LOG2);
     set->up[1] = zs_maxu32(t->log2_h, ZS_TEXTURE_FLOOR_LOG2);
     set->bias[0] = 1u << (32u - ZS_TEXTURE_BIAS_LOG2 - t->log2_w);
@@ -113,22 +115,25 @@ ZS_ALWAYS_INLINE enum zs_small_outcome set_up(struct zs_job *job, const struct s
                           *const b = set->attr + v[1] * set->varyings,
                           *const c = set->attr + v[2] * set->varyings;
     struct coordinate cu, cv;
+    ZS_FORGET; /* from part to part *s is in memory */
     const uint32_t u = coordinate(&cu, a[0], b[0], c[0]), v_ = coordinate(&cv, a[1], b[1], c[1]);
-    /* zs_texture_most */
+    /* zs_texture_most, and zs_texture_affine but for where both sides are the same */
     const uint32_t both = (u | 1u) << set->up[0] | (v_ | 1u) << set->up[1];
-    if ((u | v_) >> 14 ||
-        !zs_texture_affine(32 - zs_clz32(both) - (int32_t)set->uv_bits, s->change, set->slow) ||
+    if ((u | v_) >> 14 || (uint64_t)s->change << (32 - zs_clz32(both)) >= set->bound ||
         !zs_small64_keys(s))
         return ZS_SMALL_NOT;
+    ZS_FORGET;
     const enum zs_small_outcome outcome = zs_small64_place(job, &set->small, s);
     if (outcome != ZS_SMALL_ROWS)
         return outcome;
     const int32_t shift = 23 + (int32_t)set->uv_bits - s->lz; /* 5 .. */
     const uint64_t key[3] = { (uint64_t)zs_small64_key(s), 0u - (uint64_t)s->up, (uint64_t)s->gx };
+    ZS_FORGET;
     uint64_t pu[3], pv[3], bad = plane(s, &cu, shift, set->uv_bits, set->bias[0], pu);
     w->at[0] = (pu[0] << 32) + key[0];
     w->down[0] = (pu[1] << 32) + key[1];
     w->right[0] = (pu[2] << 32) + key[2];
+    ZS_FORGET;
     bad |= plane(s, &cv, shift, set->uv_bits, set->bias[1], pv);
     if (bad)
         return ZS_SMALL_NOT;
@@ -137,6 +142,7 @@ ZS_ALWAYS_INLINE enum zs_small_outcome set_up(struct zs_job *job, const struct s
     w->right[1] = pv[2] << w->scale;
     if (set->lit && !light(job, s, a, b, c, w))
         return ZS_SMALL_NOT;
+    ZS_FORGET;
     zs_small64_sides(job, s, &w->sides);
     return ZS_SMALL_ROWS;
 }
@@ -149,6 +155,7 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     const struct zs_tri *drawn = 0;
     if (!begin(job, &set, &w, may_be_lit))
         return 0;
+    ZS_IN_MEMORY(&s);
     do {
         const struct zs_texture *t = job->texture;
         if (may_be_lit) {
