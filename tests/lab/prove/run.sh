@@ -34,7 +34,7 @@ for file in tests/lab/prove/*_proof.c; do
         [ "$file" = tests/lab/prove/fx_proof.c ] && tables=
         # shellcheck disable=SC2086
         frama-c -c11 -eva -eva-precision 2 -eva-slevel 30 -eva-auto-loop-unroll 300 $flags -main "$name" \
-            -cpp-extra-args="-U__GNUC__ -Ifirmware/zstrip -Itests/lab/prove -DZS_STATS=1 -DZS_ROW_WIDE=0" \
+            -cpp-extra-args="-U__GNUC__ -Ifirmware/zstrip -Itests/lab/prove -DZS_STATS=1 -DZS_ROW_WIDE=0 -DZS_64=0" \
             "$file" $tables >"$log" 2>&1
         proofs=$((proofs + 1))
         awk -v name="$name" -v covers="$covers" -v log_file="$log" '
@@ -55,13 +55,14 @@ for file in tests/lab/prove/*_proof.c; do
     done <"$out/list.$$"
 done
 rm -f "$out/list.$$"
-if [ -z "$only" ] || [ "$only" = facts ]; then # what they take as given
-    gcc -std=c11 -O2 -fsanitize=undefined,address -fno-sanitize-recover=all -Ifirmware/zstrip \
+for bits in 0 1; do # what they take as given; the same of accelerators that have registers of 64 bits
+    [ -z "$only" ] || [ "$only" = facts ] || break
+    gcc -std=c11 -O2 -DZS_64=$bits -fsanitize=undefined,address -fno-sanitize-recover=all -Ifirmware/zstrip \
         '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' tests/lab/prove/facts.c tests/lab/prove/facts_more.c \
         tests/lab/prove/facts_drawn.c tests/lib/oracle.c \
         $(ls firmware/zstrip/*/*.c | grep -vE 'core/(edges|raster|plane).c|support/pose.c|fast/(tiles|clusters).c') \
         -lm -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
-fi
+done
 echo "$proofs proofs"
 [ "$proofs" -gt 0 ] || [ "$only" = facts ] || failed=1
 exit $failed
