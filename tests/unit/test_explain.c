@@ -497,6 +497,17 @@ static void light_from_behind(struct world *w)
     w->scene.light.ambient = 0;
 }
 
+/* Levels of the brightest channel, of 31: 2 is dark, and may be meant; 1 is as good as black. */
+static void lit_to_2(struct world *w)
+{
+    w->scene.light.ambient = 4000;
+}
+
+static void lit_to_1(struct world *w)
+{
+    w->scene.light.ambient = 2300;
+}
+
 static void no_colour(struct world *w)
 {
     memset(&w->red.rgb, 0, sizeof w->red.rgb);
@@ -548,6 +559,7 @@ static const struct mistake dark[] = {
     { "dir too long", lit_right, dir_long, ZS_OK, "the light's dir has length 1.732, and 1 is ZS_Q30_ONE" },
     { "no light", lit_right, no_light, ZS_OK, "the light's ambient and diffuse are 0: give one" },
     { "from behind", lit_right, light_from_behind, ZS_OK, "all that is seen is dark: the light comes from behind it" },
+    { "one level", lit_to_2, lit_to_1, ZS_OK, "the light's ambient is 2300/65536, its diffuse 0/65536: 1 is" },
     { "no colour", NULL, no_colour, ZS_OK, "instance 0 is black: its material's rgb is 0" },
     { "black faces", NULL, black_faces, ZS_OK, "all that is drawn is black: colours, texture or lamps are" },
     { "strength 1", with_lamps, lamp_strength_1, ZS_OK, "all that is drawn is black: colours, texture or lamps are" },
