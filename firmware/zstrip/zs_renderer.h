@@ -160,6 +160,7 @@ struct zs_cover {
 
 struct zs_job;
 struct zs_row;
+struct zs_strip;
 struct zs_pass;
 struct zs_pass_memory;
 struct zs_pass_kernel;
@@ -270,6 +271,9 @@ struct zs_renderer {
     uint8_t cover_next, cover_known, cover_waits; /* cover_waits: the tiles that the last large
                                      triangle covers by itself are not in bound[] yet */
     struct zs_lit lit;
+    /* A sink has failed: the strip before `last` and `last` may not have reached the panel; NULL:
+     * any strip may not. NULL: no damage tracking (damage/changed.c). */
+    void (*unsent)(struct zs_renderer *r, const struct zs_strip *last);
 };
 
 #endif

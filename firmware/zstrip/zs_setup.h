@@ -91,9 +91,10 @@ struct zs_stats {
     uint32_t clusters_in;      /* of the instances that were not culled */
     uint32_t clusters_culled;  /* outside the view, or all back-facing */
     uint32_t tris_in;          /* in all instances */
-    uint32_t tris_drawn;       /* binned, whole or in clipped pieces */
     uint32_t tris_frustum;     /* in culled instances */
     uint32_t tris_cluster;     /* in culled clusters */
+    /* the outcomes of the others, in the order of enum zs_outcome (core/assemble.h) */
+    uint32_t tris_drawn;       /* binned, whole or in clipped pieces */
     uint32_t tris_near;        /* wholly before near, or clipped away there */
     uint32_t tris_far;         /* wholly beyond far */
     uint32_t tris_offscreen;   /* beside the frame or the columns drawn, or beyond the guard band */

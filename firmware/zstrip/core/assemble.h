@@ -8,11 +8,12 @@
 #include "core/bin.h"
 #include "core/xform.h"
 
-/* The outcome of assembly: drawn, or the reason of the reject. */
+/* The outcome of assembly: drawn, or the reason of the reject; in the order of the counts in struct
+ * zs_stats. */
 /* clang-format off: a table */
 enum zs_outcome {
-    ZS_OUTCOME_DRAWN, ZS_OUTCOME_OFFSCREEN, ZS_OUTCOME_FACING, ZS_OUTCOME_ZERO, ZS_OUTCOME_EMPTY,
-    ZS_OUTCOME_NEAR, ZS_OUTCOME_FAR, ZS_OUTCOME_INDEX, ZS_OUTCOMES,
+    ZS_OUTCOME_DRAWN, ZS_OUTCOME_NEAR, ZS_OUTCOME_FAR, ZS_OUTCOME_OFFSCREEN, ZS_OUTCOME_FACING,
+    ZS_OUTCOME_ZERO, ZS_OUTCOME_EMPTY, ZS_OUTCOME_INDEX, ZS_OUTCOMES,
     ZS_OUTCOME_OPEN = ZS_OUTCOMES, /* not decided yet */
     ZS_OUTCOME_FULL /* a pool is full. Nothing was binned, or only the first pieces of a clipped
                     triangle */

@@ -22,11 +22,11 @@ static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint
         return (int64_t)z - view->z_near;
     if (plane == ZS_OUT_FAR)
         return (int64_t)view->z_far - z;
-    const int64_t limit = view->perspective ? zs_mul_su(z, (uint32_t)view->guard)
-                                            : (int64_t)view->guard;
-    const int32_t up = view->perspective ? view->scale_bits : 0; /* <= 31 */
-    const int64_t at = zs_mul_su(p->c[plane & (ZS_OUT_LEFT | ZS_OUT_RIGHT) ? 0 : 1],
-                                 (uint32_t)1 << up);
+    int64_t limit = (int64_t)view->guard, at = p->c[plane & (ZS_OUT_LEFT | ZS_OUT_RIGHT) ? 0 : 1];
+    if (view->perspective) {
+        limit = zs_mul_ss(z, (int32_t)view->guard); /* ZS_GUARD_SUBPX */
+        at = zs_scale2(at, view->scale_bits);       /* by at most 31 bits */
+    }
     return plane & (ZS_OUT_LEFT | ZS_OUT_TOP) ? limit + at : limit - at;
 }
 

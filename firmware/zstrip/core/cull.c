@@ -20,21 +20,11 @@ static void reach_out(int64_t *reach, int64_t at, int64_t r)
         *reach = far_side;
 }
 
-/* The camera axes in world axes, as rows: right, down, distance. */
-static void axes(zs_q2_30 out[9], const struct zs_camera *camera)
-{
-    for (int k = 0; k < 3; k++) {
-        out[k] = camera->rot[k];
-        out[3 + k] = -camera->rot[3 + k];
-        out[6 + k] = -camera->rot[6 + k];
-    }
-}
-
 ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in,
                           const struct zs_camera *camera)
 {
     zs_q2_30 view[9];
-    axes(view, camera);
+    zs_view_axes(view, camera);
     zs_rotation_mul(out, view, zs_usual_rotation(in->pose.rot));
 }
 
@@ -49,10 +39,8 @@ static int range_ok(const struct zs_instance *in)
 {
     const struct zs_pose *pose = &in->pose;
     const uint64_t scale = zs_usual_scale(in);
-    for (int k = 0; k < 3; k++)
-        if (zs_size32(pose->pos[k]) > ZS_WORLD_MAX)
-            return 0;
-    return scale <= SCALE_MAX && radius_of(in->mesh, scale) <= (int64_t)ZS_WORLD_MAX * 65536 &&
+    return zs_within(pose->pos, 3, ZS_WORLD_MAX) && scale <= SCALE_MAX &&
+           radius_of(in->mesh, scale) <= (int64_t)ZS_WORLD_MAX * 65536 &&
            zs_rotation_ok(zs_usual_rotation(pose->rot));
 }
 
@@ -64,7 +52,7 @@ static int bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct
     const uint64_t scale = zs_usual_scale(in);
     zs_q2_30 view[9], both[9];
     int32_t from[3], center[3];
-    axes(view, camera);
+    zs_view_axes(view, camera);
     zs_rotation_mul(both, view, zs_usual_rotation(in->pose.rot));
     b->r = radius_of(mesh, scale);
     b->reach = 0;
@@ -116,10 +104,9 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
     return 0;
 }
 
-int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view)
+ZS_SHARED int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view)
 {
-    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), view->width, view->height) +
-           1;
+    return (camera->height / 2 + 1) * view->width / view->height + 1; /* < 2^59 */
 }
 
 int zs_cull_box(const struct zs_renderer *r, const struct zs_bounds *b, struct zs_box *box)

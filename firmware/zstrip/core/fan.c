@@ -17,7 +17,7 @@ struct polygon {
     int n;
 };
 
-#define COORD_MAX (((int32_t)1 << 30) + 2) /* camera units: core/xform.h */
+#define COORD_MAX ((1u << 30) + 2u) /* camera units: core/xform.h */
 
 /* Return the winding of a triangle on the screen, computed exactly from its vertices in camera
  * units: > 0 if clockwise. If all three vertices are in front of the eye, the sign of a . (b x c)
@@ -26,18 +26,19 @@ static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view,
                                         const struct zs_clip_vertex v[3])
 {
     int32_t p[9]; /* a, b, c */
-    for (int k = 0; k < 9; k++) {
+    for (int k = 0; k < 9; k++)
         p[k] = v[k / 3].p.c[k % 3];
-        if (zs_abs32(p[k]) > COORD_MAX) /* only if a mesh is larger than its bounding sphere */
-            return 0;
-    }
+    if (!zs_within(p, 9, COORD_MAX)) /* only if a mesh is larger than its bounding sphere */
+        return 0;
     if (!view->perspective) /* the area is a . (b x c) with z = 1 */
         p[2] = p[5] = p[8] = 1;
     int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
     for (int k = 0; k < 3; k++) {
         const int64_t n = zs_cross_at(p + 3, p + 6, k); /* |.| < 2^61.1 */
-        high += zs_mul_ss((int32_t)(n >> 32), p[k]);    /* |.| < 3 * 2^60 */
-        low += zs_mul_su(p[k], (uint32_t)n);            /* |.| < 2^62.1 */
+        int32_t upper = (int32_t)(n >> 32);
+        ZS_NARROW(upper);
+        high += zs_mul_ss(upper, p[k]);      /* |.| < 3 * 2^60 */
+        low += zs_mul_su(p[k], (uint32_t)n); /* |.| < 2^62.1 */
         high += low >> 32;
         low &= 0xffffffff;
     }
@@ -86,6 +87,12 @@ static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense,
     return sense;
 }
 
+static ZS_RARE int32_t held(int32_t at)
+{
+    const int32_t most = (int32_t)ZS_GUARD_SUBPX;
+    return zs_max32(zs_min32(at, most), -most);
+}
+
 static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
 {
     const int32_t cx = r->view.cx, cy = r->view.cy;
@@ -93,8 +100,8 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
         struct zs_vertex *v = &p->v[k];
         (void)zs_xform_project(r, &p->cv[k].p, v); /* clipped: near <= z <= far */
         /* rounding to camera units may put a new vertex slightly outside the guard band */
-        v->x = cx + (int32_t)zs_held64(v->x - cx, ZS_GUARD_SUBPX);
-        v->y = cy + (int32_t)zs_held64(v->y - cy, ZS_GUARD_SUBPX);
+        v->x = cx + held(v->x - cx);
+        v->y = cy + held(v->y - cy);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "core/method.h"
 #include "core/pass.h"
 #include "core/raster.h"
+#include "core/rotation.h"
 #include "core/rows.h"
 #include "core/usual.h"
 #include "core/view.h"
@@ -124,8 +125,7 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
         return ZS_ERR_NULL;
     if (build != ZS_BUILD)
         return ZS_ERR_BUILD;
-    r->ready = 0;
-    r->scene = 0;
+    *r = (struct zs_renderer){ 0 };
     if (!config || !arena || !config->depth)
         return ZS_ERR_NULL;
     if (!config_ok(config))
@@ -152,15 +152,7 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
         return ZS_ERR_ARENA;
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value is correct: entries are checked */
-    const struct zs_stats none = { 0 };
-    r->stats = none;
-    r->strip_hash = 0;
-    r->track = 0;
-    r->window[0] = 0;
     r->window[1] = config->width;
-    r->untouched = 0;
-    r->parts_tris = 0;
-    r->passes = 0;
     accelerators(r);
     r->ready = 1;
     return ZS_OK;
@@ -187,15 +179,6 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
 }
 
-static ZS_RARE int light_ok(const struct zs_light *light)
-{
-    const int32_t limit = ZS_Q30_ONE + (1 << 10);
-    for (int k = 0; k < 3; k++)
-        if (light->dir[k] > limit || light->dir[k] < -limit)
-            return 0;
-    return light->ambient <= ZS_Q16_ONE && light->diffuse <= ZS_Q16_ONE;
-}
-
 /* Check all instances, and find the reach: the largest |coordinate| in camera axes among the
  * instances in view. */
 static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scene *scene,
@@ -205,7 +188,8 @@ static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scen
         return ZS_ERR_SIZE;
     if (scene->n_instances && !scene->instance)
         return ZS_ERR_NULL;
-    if (!light_ok(&scene->light))
+    if (!zs_within(scene->light.dir, 3, ZS_UNIT_MOST) || scene->light.ambient > ZS_Q16_ONE ||
+        scene->light.diffuse > ZS_Q16_ONE)
         return ZS_ERR_RANGE;
     if ((scene->sky && !scene->sky->fill) || (scene->n_resolves && !scene->resolve))
         return ZS_ERR_NULL;
@@ -377,63 +361,35 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r)
     return &r->stats;
 }
 
-int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
+/* Wait for the strip that a sink is sending, if there is one. */
+static int waited(const struct zs_sink *sink, int *sending)
 {
-    if (!r)
-        return ZS_ERR_NULL;
-    if (r->ready != 1)
-        return ZS_ERR_SEQUENCE;
-    const struct zs_strip_hash_kernel *strip_hash = r->strip_hash;
-    if (strip_hash)
-        strip_hash->forget(r, rect);
-    const struct zs_track_kernel *track = r->track;
-    if (track)
-        track->forget(r, rect);
-    return ZS_OK;
-}
-
-/* A sink failed. The last strip and the one before it may not have reached the panel; mark them as
- * dirty. */
-static void not_sent(struct zs_renderer *r, const struct zs_strip *last)
-{
-    const uint32_t before = last->y < r->config.strip_h ? 0u
-                                                        : last->y - (uint32_t)r->config.strip_h;
-    const struct zs_rect rows = { 0, (uint16_t)before, last->w,
-                                  (uint16_t)(last->y + last->h - before) };
-    (void)zs_invalidate(r, &rows);
+    const int wait = *sending && sink->wait;
+    *sending = 0;
+    return wait ? sink->wait(sink->ctx) : ZS_OK;
 }
 
 int zs_frame_send(struct zs_renderer *r, const struct zs_sink *sink)
 {
     struct zs_strip strip;
-    int err = ZS_OK, pending = 0, got;
-    while (!err && (got = zs_frame_strip(r, &strip)) > 0) {
-        if (pending && sink->wait) /* two buffers: the strip before is still being sent */
-            err = sink->wait(sink->ctx);
-        pending = 0;
-        if (err)
-            break;
-        if (!strip.dirty_w)
-            continue;
-        err = sink->submit(sink->ctx, &strip);
-        pending = !err;
-        if (pending && sink->wait && r->config.buffers == 1) {
-            err = sink->wait(sink->ctx);
-            pending = 0;
+    int err = ZS_OK, sending = 0, more;
+    do {
+        if (r->config.buffers == 1)
+            err = waited(sink, &sending);
+        more = !err && zs_frame_strip(r, &strip) > 0;
+        err = err ? err : waited(sink, &sending); /* two buffers: the strip before */
+        if (more && !err && strip.dirty_w) {
+            err = sink->submit(sink->ctx, &strip);
+            sending = !err;
         }
-    }
-    if (pending && sink->wait) {
-        const int late = sink->wait(sink->ctx);
-        err = err ? err : late;
-    }
-    if (err)
-        not_sent(r, &strip);
+    } while (more && !err);
+    const struct zs_strip *const last = err ? &strip : 0; /* NULL: any strip may be missing */
     if (sink->end) {
         const int at_end = sink->end(sink->ctx);
-        if (at_end && !err)
-            (void)zs_invalidate(r, 0); /* it is not known which strips reached the panel */
         err = err ? err : at_end;
     }
+    if (err && r->unsent)
+        r->unsent(r, last);
     (void)zs_frame_end(r);
     return err;
 }

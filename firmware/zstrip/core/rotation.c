@@ -67,13 +67,18 @@ void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
         out[k] = (int32_t)zs_round_shift(zs_cross_at(a, b, k), 30);
 }
 
+ZS_SHARED int zs_within(const int32_t *v, int n, uint32_t most)
+{
+    while (n && zs_size32(v[n - 1]) <= most)
+        n--;
+    return n == 0;
+}
+
 int zs_rotation_ok(const zs_q2_30 m[9])
 {
     const int64_t tolerance = (int64_t)1 << 40; /* 2^-20 in q60 */
-    const int32_t limit = ZS_Q30_ONE + (1 << 10);
-    for (int k = 0; k < 9; k++)
-        if (m[k] > limit || m[k] < -limit)
-            return 0;
+    if (!zs_within(m, 9, ZS_UNIT_MOST))
+        return 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j <= i; j++) {
             const int64_t want = i == j ? (int64_t)1 << 60 : 0;

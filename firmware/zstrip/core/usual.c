@@ -34,10 +34,7 @@ void zs_usual_camera(struct zs_renderer *r, const struct zs_scene *scene,
     *light = scene->light;
     if ((uint32_t)(light->dir[0] | light->dir[1] | light->dir[2]) | light->ambient | light->diffuse)
         return;
-    for (int k = 0; k < 3; k++) { /* from camera axes to world axes */
-        const int32_t axis[3] = { rot[k], rot[3 + k], rot[6 + k] };
-        light->dir[k] = (zs_q2_30)zs_round_shift(zs_dot(axis, over_left), 30);
-    }
+    zs_rotation_row(light->dir, over_left, rot); /* from camera axes to world axes */
     light->ambient = ZS_Q16_ONE / 4;
     light->diffuse = ZS_Q16_ONE / 4 * 3;
 }

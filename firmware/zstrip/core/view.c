@@ -41,7 +41,7 @@ static int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
     int32_t up = zs_clz64(num) - zs_clz64(den) + 31; /* num 2^up / den in (2^30, 2^32), or up < 0 */
     if (up < 0)
         up = 0;
-    uint64_t r = zs_muldiv_u64(num, (uint64_t)1 << up, den); /* [2^30, 2^33) */
+    uint64_t r = zs_muldiv_u64(num, (uint64_t)zs_scale2(1, up), den); /* [2^30, 2^33) */
     for (; r > (uint64_t)ZS_Q30_ONE; r >>= 1)
         up--;
     *bits = 30 - up;
@@ -76,11 +76,10 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
 {
     if (!range_ok(camera) || !zs_rotation_ok(camera->rot))
         return ZS_ERR_CAMERA;
-    for (int k = 0; k < 3; k++) {
-        if (camera->pos[k] > ZS_WORLD_MAX || camera->pos[k] < -ZS_WORLD_MAX)
-            return ZS_ERR_RANGE;
+    if (!zs_within(camera->pos, 3, ZS_WORLD_MAX))
+        return ZS_ERR_RANGE;
+    for (int k = 0; k < 3; k++)
         view->pos[k] = camera->pos[k];
-    }
     view->perspective = camera->projection == ZS_PERSPECTIVE;
     view->cx = view->width * ZS_SUBPX_HALF;
     view->cy = view->y * ZS_SUBPX_ONE + view->height * ZS_SUBPX_HALF;
@@ -116,7 +115,7 @@ static int scale_set(struct zs_view *view, const struct zs_camera *camera)
         view->shift -= view->scale_bits - SCALE_BITS_MAX;
         view->scale_bits = SCALE_BITS_MAX;
     }
-    view->guard = (uint64_t)ZS_GUARD_SUBPX << view->scale_bits; /* <= 2^61 */
+    view->guard = (uint64_t)zs_scale2(ZS_GUARD_SUBPX, view->scale_bits); /* <= 2^61 */
     return ZS_OK;
 }
 
@@ -126,6 +125,15 @@ int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length)
     const int64_t most = 1 << 30; /* farther than anything in view */
     const int64_t near_by = zs_held64(length, n >= 0 ? most >> n : INT64_MAX);
     return (int32_t)zs_held64(zs_scale2(near_by, n), most);
+}
+
+void zs_view_axes(zs_q2_30 out[9], const struct zs_camera *camera)
+{
+    for (int k = 0; k < 3; k++) {
+        out[k] = camera->rot[k];
+        out[3 + k] = -camera->rot[3 + k];
+        out[6 + k] = -camera->rot[6 + k];
+    }
 }
 
 int zs_view_units(struct zs_view *view, const struct zs_camera *camera, int64_t reach)
@@ -146,10 +154,8 @@ int zs_view_units(struct zs_view *view, const struct zs_camera *camera, int64_t 
     view->z_far = zs_view_length(view, camera->z_far);
     if (view->z_near >= view->z_far || (view->perspective && view->z_near < NEAR_MIN))
         return ZS_ERR_NEAR;
-    for (int k = 0; k < 3; k++) { /* rows: right, down, distance */
-        view->rot[k] = (int32_t)zs_round_shift((int64_t)camera->rot[k] * view->ratio, 30);
-        view->rot[3 + k] = (int32_t)zs_round_shift(-(int64_t)camera->rot[3 + k] * view->ratio, 30);
-        view->rot[6 + k] = -camera->rot[6 + k];
-    }
+    zs_view_axes(view->rot, camera);
+    for (int k = 0; k < 6; k++)
+        view->rot[k] = (int32_t)zs_round_shift(zs_mul_ss(view->rot[k], view->ratio), 30);
     return ZS_OK;
 }

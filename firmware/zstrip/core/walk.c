@@ -20,9 +20,9 @@
 
 /* The position of the traversal. */
 struct cursor {
-    uint32_t tri, piece;
+    uint32_t tri, end, piece; /* the next triangle, and where their run ends */
     uint16_t instance;
-    uint8_t open; /* 1: the instance's triangles are being binned; tri is the next one */
+    uint8_t open; /* 1: the instance's triangles are being binned */
     zs_assemble_fn *assemble;      /* bins one of them */
     uint32_t outcome[ZS_OUTCOMES]; /* the walk's triangles so far, counted by outcome */
 };
@@ -30,16 +30,15 @@ struct cursor {
 /* Add the counts of the frame's first walk to the statistics. */
 static ZS_RARE void count(struct zs_renderer *r, const uint32_t outcome[ZS_OUTCOMES])
 {
-#define COUNTS(outcome_, field) [outcome_] = offsetof(struct zs_stats, field)
-    static const uint8_t at[ZS_OUTCOMES] = {
-        COUNTS(ZS_OUTCOME_DRAWN, tris_drawn),   COUNTS(ZS_OUTCOME_OFFSCREEN, tris_offscreen),
-        COUNTS(ZS_OUTCOME_FACING, tris_facing), COUNTS(ZS_OUTCOME_ZERO, tris_zero),
-        COUNTS(ZS_OUTCOME_EMPTY, tris_empty),   COUNTS(ZS_OUTCOME_NEAR, tris_near),
-        COUNTS(ZS_OUTCOME_FAR, tris_far),       COUNTS(ZS_OUTCOME_INDEX, tris_index)
-    };
+    uint8_t *const at = (uint8_t *)&r->stats + offsetof(struct zs_stats, tris_drawn);
     for (int k = 0; k < ZS_OUTCOMES && r->counting; k++)
-        *(uint32_t *)(void *)((uint8_t *)&r->stats + at[k]) += outcome[k];
+        ((uint32_t *)(void *)at)[k] += outcome[k];
 }
+_Static_assert(offsetof(struct zs_stats, tris_offscreen) - offsetof(struct zs_stats, tris_drawn) ==
+                       4 * ZS_OUTCOME_OFFSCREEN &&
+                   offsetof(struct zs_stats, tris_index) - offsetof(struct zs_stats, tris_drawn) ==
+                       4 * ZS_OUTCOME_INDEX,
+               "counts are in the order of outcomes");
 
 /* Cull an instance, or set r->xform for it. Return 0 if it is culled, or if no strip that it can
  * reach is dirty. Not inlined, so that its variables are off the stack while triangles are binned.
@@ -78,18 +77,22 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (ZS_IF_FAST(r->batch))
         r->batch->needs(r, &b);
-    r->clusters.from = r->clusters.end = 0;
-    r->by_clusters = clusters && clusters->open(r, &b);
+    if (!ZS_NO_FAST) {
+        r->clusters.from = r->clusters.end = 0;
+        r->by_clusters = clusters && clusters->open(r, &b);
+    }
     return 1;
 }
 
-/* Go to the next run of triangles of the current instance, [r->clusters.from, r->clusters.end).
- * Return 0 if there is none: without clusters, all were one run. */
+/* Go to the next run of triangles of the current instance. Return 0 if there is none: without
+ * clusters, all were one run. */
 static ZS_RARE int next_run(struct zs_renderer *r, struct cursor *at)
 {
-    const int some = ZS_IF_FAST(r->by_clusters) && r->clusters_hooks->run(r);
+    if (!ZS_IF_FAST(r->by_clusters) || !r->clusters_hooks->run(r))
+        return 0;
     at->tri = r->clusters.from;
-    return some;
+    at->end = r->clusters.end;
+    return 1;
 }
 
 /* Open the cursor's instance and count it. Return 0 if it has nothing to bin. */
@@ -122,7 +125,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
     if (ZS_IF_FAST(r->by_clusters))
         return next_run(r, at);
     at->tri = 0;
-    r->clusters.end = all;
+    at->end = all;
     return all != 0;
 }
 
@@ -131,11 +134,11 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
     do {
         if (ZS_IF_FAST(r->batched)) {
-            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->outcome, &at->piece);
-            if (at->tri < r->clusters.end)
+            at->tri = r->batch->bin(r, at->tri, at->end, at->outcome, &at->piece);
+            if (at->tri < at->end)
                 return 0;
         }
-        for (; at->tri < r->clusters.end; at->tri++) {
+        for (; at->tri < at->end; at->tri++) {
             const enum zs_outcome outcome = at->assemble(r, at->tri, &at->piece);
             if (outcome == ZS_OUTCOME_FULL)
                 return 0;

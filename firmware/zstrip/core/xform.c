@@ -24,14 +24,13 @@
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
 
-/* Set one row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30.
- * With a shift of at most 15, t_low is in [0, 2^15); with a larger one, in [-2^28, 2^28). */
-static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
+/* Set one row of c = (m . p + t) / 2^shift, nearest; m is in row[0 .. 2]. |m| <= 2^30, |t| < 2^60,
+ * |t / 2^shift| < 2^30. With a shift of at most 15, t_low is in [0, 2^15); with a larger one, in
+ * [-2^28, 2^28). */
+static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], int64_t t, int32_t shift)
 {
     const int32_t half = (1 << shift) >> 1;
 #if ZS_ROW_WIDE
-    for (int j = 0; j < 3; j++)
-        row[j] = m[j];
     row[3] = (int32_t)(t + half);
     row[4] = (int32_t)((t + half) >> 32);
     row[5] = shift;
@@ -39,9 +38,9 @@ static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64
 #else
     const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX;
     for (int j = 0; j < 3; j++) {
-        const int32_t high = (m[j] + ((1 << s) >> 1)) >> s;
+        const int32_t high = (row[j] + ((1 << s) >> 1)) >> s;
         row[ZS_ROW_HIGH + j] = high;
-        row[ZS_ROW_LOW + j] = m[j] - high * (1 << s);
+        row[ZS_ROW_LOW + j] -= high * (1 << s); /* ZS_ROW_LOW is 0 */
     }
     const int32_t t_high = (int32_t)((t + half + (shift > s ? half : 0)) >> shift);
     row[ZS_ROW_T_HIGH] = t_high;
@@ -57,7 +56,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     const struct zs_view *view = &r->view;
     const struct zs_instance *in = zs_instance_of(r, number);
     ZS_ASSERT(view->shift >= -16 && view->shift <= 30);
-    if (b->reach >> (46 - view->shift)) /* 2^30 camera units */
+    if (zs_clz64((uint64_t)b->reach) < 18 + view->shift) /* 2^30 camera units */
         return 0;
     xf->instance = in;
     xf->number = number;
@@ -66,7 +65,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31) */
     const uint64_t scale = zs_usual_scale(in);
     const int32_t lz = zs_clz64(scale);
-    const uint32_t mantissa = (uint32_t)(scale << lz >> 33);
+    const int32_t mantissa = (int32_t)(zs_scale2((int64_t)scale, lz - 2) >> 31); /* lz >= 16 */
     int32_t exp = 33 - lz;
     if (in->mesh->pos_lo)
         exp -= 8;                           /* positions are in 1/256 steps */
@@ -85,10 +84,10 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
         from[k] = in->pose.pos[k] - view->pos[k];
     for (int k = 0; k < 3; k++) {
         const int64_t at = zs_dot(view->rot + 3 * k, from); /* q2_30 * world units, <= 2^60.6 */
-        int32_t m[3];
+        int32_t *const row = xf->row + k * ZS_ROW_WORDS;
         for (int j = 0; j < 3; j++)
-            m[j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
-        row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
+            row[j] = (int32_t)zs_round_shift(zs_mul_ss(both[3 * k + j], mantissa), 31 + extra);
+        row_set(row, zs_scale2(at, view->shift + shift - 30), shift);
     }
     r->shading.instance = in;
     r->shading.light = &r->light;

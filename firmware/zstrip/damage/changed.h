@@ -27,6 +27,9 @@ static inline void zs_mix(uint32_t lane[2], uint32_t v)
     lane[1] = zs_rotate_left(lane[1] + v, 19) * 0x85ebca77u;
 }
 
+/* Mark what a sink has failed to send as changed: zs_renderer.unsent. */
+void zs_unsent(struct zs_renderer *r, const struct zs_strip *last);
+
 /* The width of a cell of zs_damage_compare, px. It is even if the frame's width is, so that cells
  * begin at even addresses. */
 static inline uint32_t zs_strip_hash_step(const struct zs_renderer *r)

@@ -88,6 +88,7 @@ int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums)
                  sums->strip_h != r->config.strip_h))
         return ZS_ERR_SIZE;
     r->strip_hash = sums ? &kernel : 0;
+    r->unsent = zs_unsent;
     r->sums = sums;
     const struct zs_track_kernel *track = r->track;
     if (track)

@@ -418,6 +418,7 @@ int zs_damage_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instance
     if (memory && n_instances > 65535u)
         return ZS_ERR_SIZE;
     r->track = memory ? &zs_track_sums : 0;
+    r->unsent = zs_unsent;
     r->track_memory = memory;
     r->track_instances = (uint16_t)n_instances;
     r->track_columns = 0;

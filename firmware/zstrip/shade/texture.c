@@ -173,7 +173,8 @@ static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plan
     const int32_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w_plane->gx;
     uint64_t most = 0;
     for (int k = 0; k < 3; k++) {
-        const int64_t d = c_gx - (zs_mul_su(w_gx, un[k]) >> 16); /* |.| <= 2^32; half fits 32 bits
+        const int64_t d = c_gx -
+                          (zs_mul_ss(w_gx, (int32_t)un[k]) >> 16); /* |.| <= 2^32; half fits 32 bits
                                                                     */
         const uint64_t size = zs_mul_uu((uint32_t)(((d < 0 ? -d : d) + 1) >> 1), w[k]);
         if (most < size)
@@ -181,7 +182,7 @@ static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plan
     }
     if (most == 0 || w_gx == 0)
         return -128;
-    const int32_t cut = 64 - zs_clz64(most) > 31 ? 33 - zs_clz64(most) : 0;
+    const int32_t cut = zs_max32(33 - zs_clz64(most), 0);
     const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u,
                                        zs_size32(w_gx)); /* > most |W'| / 2^cut */
     return texels + ZS_SPAN_BOUND_LOG2 - 1 + cut + 64 - zs_clz64(product);

@@ -80,7 +80,7 @@ static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, con
                          const int32_t step[2], int32_t skip)
 {
     const struct zs_sampler *s = &job->sampler;
-    if (s->wide) { /* in 64 bits; modulo one repeat it is the same */
+    if (ZS_FOR_SIZE || s->wide) { /* in 64 bits; modulo one repeat it is the same */
         fetch_wide(s, out, n, c, step, skip);
         return;
     }
