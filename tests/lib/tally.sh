@@ -1,7 +1,7 @@
 # What a test's log comes to, and the sanitizers' options that all tests have. Sourced.
 #
 # SPDX-License-Identifier: MIT
-ASAN_OPTIONS=detect_leaks=1
+ASAN_OPTIONS=detect_leaks=1:handle_sigill=2
 LSAN_OPTIONS=suppressions=tests/lib/lsan.txt:print_suppressions=0
 export ASAN_OPTIONS LSAN_OPTIONS
 

@@ -13,9 +13,8 @@ mkdir -p "$work"
 work=$(cd "$work" && pwd) || exit 1
 gcc -O1 -Wall -Wextra -Werror tests/tools/look.c -lpng -o "$work/look" || exit 1
 LSAN_OPTIONS=suppressions=$top/tests/lib/lsan.txt:print_suppressions=0
-ASAN_OPTIONS=detect_leaks=1:exitcode=99
-UBSAN_OPTIONS=exitcode=99
-export LSAN_OPTIONS ASAN_OPTIONS UBSAN_OPTIONS
+ASAN_OPTIONS=detect_leaks=1:handle_sigill=2:exitcode=99
+export LSAN_OPTIONS ASAN_OPTIONS
 cd "$work" || exit 1
 
 # SEED BOXES TRIANGLES: an OBJ of boxes that reach through one another, and of long thin triangles

@@ -35,17 +35,9 @@ static void on_signal(int signal)
     _exit(1);
 }
 
-#ifdef __SANITIZE_ADDRESS__
-void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
-void __ubsan_on_report(void)
-{
-    replay_say();
-}
-#endif
-
 void replay_arm(const char *name, const char *format, ...)
 {
-    static const int fatal[] = { SIGILL, SIGABRT, SIGTRAP, SIGPROF };
+    static const int fatal[] = { SIGABRT, SIGTRAP, SIGPROF };
     int n = snprintf(line, 300, "FAILED %s: replay with: ", name);
     va_list args;
     va_start(args, format);
@@ -54,9 +46,10 @@ void replay_arm(const char *name, const char *format, ...)
     command_bytes = n < 299 ? (size_t)n : 299u;
     for (size_t k = 0; k < sizeof fatal / sizeof *fatal; k++)
         (void)signal(fatal[k], on_signal);
-#ifdef __SANITIZE_ADDRESS__
+#ifdef __SANITIZE_ADDRESS__ /* it reports SIGILL, UBSan's and an assertion's, with its line (handle_sigill) */
     __sanitizer_set_death_callback(replay_say);
 #else
+    (void)signal(SIGILL, on_signal);
     (void)signal(SIGSEGV, on_signal);
     (void)signal(SIGBUS, on_signal);
     (void)signal(SIGFPE, on_signal);

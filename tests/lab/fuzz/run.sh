@@ -7,7 +7,7 @@
 set -u
 cd "$(dirname "$0")/../../.." || exit 2
 fuzz=${1:-build}/fuzz
-ASAN_OPTIONS=detect_leaks=1
+ASAN_OPTIONS=detect_leaks=1:handle_sigill=2
 LSAN_OPTIONS=suppressions=tests/lib/lsan.txt:print_suppressions=0
 export ASAN_OPTIONS LSAN_OPTIONS
 

@@ -10,7 +10,7 @@
 set -u
 cd "$(dirname "$0")/../../.." || exit 2
 S=${1:-build}/stress
-ASAN_OPTIONS=detect_leaks=1
+ASAN_OPTIONS=detect_leaks=1:handle_sigill=2
 export ASAN_OPTIONS
 
 # The code that runs: the commit that changed the renderer last, with a + where it was changed since.
