@@ -1,4 +1,5 @@
 # zstrip. Everything lands in build/. `make help` lists what users want, `make help-all` the rest.
+MAKEFLAGS += -r # what is built in for C, Fortran and RCS is not looked for: half a second a call
 CC = gcc
 B = build
 CFLAGS = -O2 -g1

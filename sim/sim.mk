@@ -31,20 +31,10 @@ pictures: sim
 
 .PHONY: view report pictures study-variants linux-sources
 
-# The renderer for programs of this machine that only use it: the generator of meshes, and those of tests. They run for
-# less time than -O2 takes to compile
-CORE_CC = $(CC) -std=c11 -O1 $(WARN) -Ifirmware/zstrip
-CORE_NOTE := $(call note,$(B)/core/cc,$(CORE_CC))
-$(B)/core/%.o: %.c $(CORE_NOTE)
-	@mkdir -p $(@D)
-	@$(CORE_CC) $(WERROR) $(DEP) -c $< -o $@
-$(B)/libcore.a: $(CORE:%.c=$(B)/core/%.o)
-	@rm -f $@ && ar rcs $@ $^
-
 # Meshes: written by a generator, built into one archive
-$(B)/gen_meshes: $(GEN) $(B)/libcore.a $(filter firmware/zstrip/% firmware/scenes/%,$(HEADERS))
+$(B)/gen_meshes: $(GEN) $(filter firmware/zstrip/% firmware/scenes/%,$(HEADERS))
 	@mkdir -p $(B)
-	@$(CC) -std=c11 $(CFLAGS) $(WARN) $(WERROR) $(INC) $(GEN) $(B)/libcore.a -o $@
+	@$(CC) -std=c11 $(CFLAGS) $(WARN) $(WERROR) $(INC) $(GEN) -lm -o $@
 $(B)/gen/made: $(B)/gen_meshes
 	@rm -rf $(B)/gen/new && mkdir -p $(B)/gen/new
 	@echo 'meshes: $(B)/gen'
@@ -107,6 +97,7 @@ $(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD)
                                                 $(PANELS) $(filter-out sim/cli/main.c,$(SIM))) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) -pthread $^ $(LIBS) $$(pkg-config --libs libgpiod) -o $@
 	@echo 'built $@'
-# What a cross compiler takes besides $(B)/gen's meshes and hal/linux/gpio_v1.c or gpio_v2.c
+# What a cross compiler takes besides $(B)/gen's meshes and hal/linux/gpio_v1.c or gpio_v2.c: of the renderer not what
+# the demo scenes do without
 linux-sources:
-	@echo $(CORE) $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)
+	@echo $(filter-out $(patsubst %,firmware/zstrip/%,effect/% overlay/% support/explain%),$(CORE)) $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)

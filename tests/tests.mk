@@ -28,7 +28,7 @@ UNITS_T = $(strip $(if $(T),$(foreach u,$(UNITS),$(if $(findstring $(T),$(u)),$(
 
 unit-programs: $(UNITS:%=$(B)/test/%)
 	@:
-test-programs: unit-programs $(B)/test/zsim $(B)/test/zlab checksum-programs mutate-link
+test-programs: unit-programs $(B)/test/zsim $(B)/test/zlab checksum-programs mutate-link $(B)/libcore.a
 .PHONY: unit-programs
 
 .SECONDARY: $(call t,$(TESTS))
@@ -100,6 +100,11 @@ $(B)/test/test_linux: $(call t,tests/unit/test_linux.c $(LINUX) $(filter-out $(M
 	@$(CC) $(SAN) -pthread $(LINUX_FAKED:%=-Wl,--wrap=%) -Wl,--start-group $(filter-out %/zsim,$^) -Wl,--end-group \
 	    -lcmocka $(LIBS) -o $@
 
+# The renderer as programs of this machine have it, of the objects that parts link as well
+$(B)/libcore.a: $(CORE) $(HEADERS)
+	+@$(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk BOARD=host B=$(B) DEBUG= library
+	@cp $(B)/fw/host/libzstrip.a $@
+
 # One program, two compilers at two levels, and one for a big-endian machine, run by QEMU: its checksums must be the
 # same; those of bare-NAME too, which have no accelerators
 CHECKSUM_HOST = $(foreach c,gcc clang,$(foreach o,O0 O3,$(c)-$(o)))
@@ -107,15 +112,24 @@ CHECKSUMS = $(CHECKSUM_HOST:%=$(B)/test/checksum-%) $(foreach o,O0 O2 Os,$(B)/te
 CHECKSUMS_BARE = $(patsubst %,$(B)/test/bare-%,$(CHECKSUM_HOST) powerpc-Os)
 $(B)/test/checksum-powerpc-% $(B)/test/bare-powerpc-%: CHECKSUM_CC = powerpc-linux-gnu-gcc -static
 CHECKSUM_CC = $(word 2,$(subst -, ,$(@F)))
-CHECKSUM = sh tests/lib/checksum_program.sh $@ $(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) \
-           -DZS_VARYINGS_MAX=8 -Itests/lib -- $(filter %.c,$^)
+CHECKSUM_FLAGS = -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) -DZS_VARYINGS_MAX=8 -Itests/lib
+CHECKSUM = sh tests/lib/checksum_program.sh $@ $(CHECKSUM_CC) $(CHECKSUM_FLAGS) --
 checksum-programs: $(CHECKSUMS) $(CHECKSUMS_BARE)
 $(CHECKSUMS) $(CHECKSUMS_BARE): tests/lib/checksum_program.sh $(HEADERS)
-$(CHECKSUMS): tests/property/checksum.c $(CORE)
+# Some have all of the renderer: scene_sums.sh and effects.sh link more of it (checksum_core.sh). The others, and those
+# without accelerators, have what they link
+CHECKSUMS_ALL = $(patsubst %,$(B)/test/checksum-%,gcc-O0 gcc-O3 clang-O3 powerpc-O2)
+CHECKSUM_SOURCES = tests/property/checksum.c $(CORE)
+LINKED = $(B)/test/checksum-sources
+$(LINKED): $(B)/test/checksum-gcc-O0 tests/lib/checksum_sources.sh
+	@sh tests/lib/checksum_sources.sh $< gcc $(filter-out -,$(CHECKSUM_FLAGS)) -- $(CHECKSUM_SOURCES) >$@
+$(CHECKSUMS_ALL): $(CHECKSUM_SOURCES)
 	@mkdir -p $(@D)
-	@$(CHECKSUM)
-$(B)/test/bare-%: $(B)/test/checksum-% tests/property/checksum.c $(filter-out firmware/zstrip/fast/%,$(CORE))
-	@$(CHECKSUM) bare $<
+	@$(CHECKSUM) $(CHECKSUM_SOURCES)
+$(filter-out $(CHECKSUMS_ALL),$(CHECKSUMS)): $(LINKED)
+	@$(CHECKSUM) of $<
+$(B)/test/bare-%: $(LINKED) $(B)/test/checksum-%
+	@$(CHECKSUM) bare $^
 
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack

@@ -19,6 +19,7 @@
 #   BOARD_RUN    command that takes the .elf         BOARD_IMAGES  what is flashed: bin, hex; more by rules of its own
 #   BOARD_FLAGS  -D for the application (show.h has them), BOARD_FLASH, BOARD_RAM  bytes of the part
 #   BOARD_SECOND sources of hal/second.h, for CORES=2; not set where the part has one core
+MAKEFLAGS += -r # as in Makefile
 BOARD = mps2
 APP = bench
 SCENE = teapot
@@ -104,13 +105,15 @@ endif
 endif
 
 # What names no scene is compiled once, the rest once a scene
-# method/, effect/, overlay/ and hal/panel/ are compiled where the program's own sources, or headers of their names,
-# name something of them
+# method/, effect/, overlay/, zs_explain and hal/panel/ are compiled where the program's own sources, or headers of
+# their names, name something of them
 NAMING = $(APP_SRC) $(wildcard $(APP_SRC:.c=.h))
 METHODS = $(METHOD)$(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
 EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' $(NAMING))
 OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(NAMING))
+EXPLAINS = $(shell grep -lE '"zs_explain\.h"' $(NAMING))
 CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) \
+                    $(if $(EXPLAINS),,firmware/zstrip/support/explain%) \
                     $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\
                     $(wildcard firmware/zstrip/*/*.c))
@@ -135,14 +138,18 @@ DEFINED := $(call note,$(OUT)/defines,$(DEFINES))
 FLAGGED := $(call note,$(OUT)/of-$(NAME)/flags,$(APP_FLAGS))
 LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA) $(APP_LINK))
 
+# All of the renderer, for make library: $(OUT)/libzstrip.a
+LIBRARY_OBJ = $(patsubst %.c,$(OUT)/%.o,$(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%),\
+                                                     $(wildcard firmware/zstrip/*/*.c)))
+
 # What knows nothing of the board is compiled the same for all boards of a core, once where ccache is in the path: of
 # DEFINES it takes the library's alone, -DZS_...
 COMMON_OBJ = $(patsubst %.c,$(OUT)/%.o,$(COMMON))
 GEN = -I$(B)/gen
 # The renderer and the panels do not see the build folder either, so that ccache has them for projects elsewhere, too
-$(patsubst %.c,$(OUT)/%.o,$(CORE) $(PANELS)): GEN =
-$(COMMON_OBJ): BOARD_FLAGS =
-$(COMMON_OBJ): override DEFINES := $(filter -DZS_%,$(DEFINES))
+$(LIBRARY_OBJ) $(patsubst %.c,$(OUT)/%.o,$(PANELS)): GEN =
+$(sort $(COMMON_OBJ) $(LIBRARY_OBJ)): BOARD_FLAGS =
+$(sort $(COMMON_OBJ) $(LIBRARY_OBJ)): override DEFINES := $(filter -DZS_%,$(DEFINES))
 # Meshes are data: the same for all cores of a kind
 MESH_OBJ = $(patsubst %.c,$(OUT)/%.o,$(wildcard $(B)/gen/*.c))
 $(MESH_OBJ): override BOARD_CPU := $(or $(DATA_CPU),$(BOARD_CPU))
@@ -183,8 +190,11 @@ $(OUT)/$(NAME).bin: $(ELF)
 	@$(OBJCOPY) -O binary $< $@
 $(OUT)/$(NAME).hex: $(ELF)
 	@$(OBJCOPY) -O ihex $< $@
--include $(OBJ:.o=.d)
+library: $(OUT)/libzstrip.a
+$(OUT)/libzstrip.a: $(LIBRARY_OBJ)
+	@rm -f $@ && $(BOARD_CC:gcc=ar) rcs $@ $^
+-include $(sort $(OBJ:.o=.d) $(LIBRARY_OBJ:.o=.d))
 # Compiler, flags and the files of hal/ that make this board's HAL, a line each: for tests/checks/hal.sh
 hal:
 	@printf '%s\n' '$(BOARD_CC)' '$(BOARD_CPU)' '$(filter-out hal/panel/%,$(filter hal/%,$(SRC)))'
-.PHONY: all image run hal
+.PHONY: all image run library hal

@@ -5,6 +5,7 @@
 # copied nothing.
 # The linker warns of getgrgid in a static program: that it reads /etc/group there too is seen in the tests' sentences.
 # Use: make -f tests/boards/linux/linux.mk B=build bookworm trixie
+MAKEFLAGS += -r # as in Makefile
 ARMHF = arm-linux-gnueabihf-
 STATIC = -static -Wl,--no-fix-cortex-a8
 CFLAGS = -O2 -Wall -Wextra -Werror -Wno-missing-field-initializers
