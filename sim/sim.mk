@@ -100,4 +100,5 @@ $(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD)
 # What a cross compiler takes besides $(B)/gen's meshes and hal/linux/gpio_v1.c or gpio_v2.c: of the renderer not what
 # the demo scenes do without
 linux-sources:
-	@echo $(filter-out $(patsubst %,firmware/zstrip/%,effect/% overlay/% support/explain%),$(CORE)) $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)
+	@echo $(filter-out $(patsubst %,firmware/zstrip/%,effect/% overlay/% support/explain%),$(CORE)) \
+	    $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)
