@@ -101,4 +101,4 @@ $(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD)
 # the demo scenes do without
 linux-sources:
 	@echo $(filter-out $(patsubst %,firmware/zstrip/%,effect/% overlay/% support/explain%),$(CORE)) \
-	    $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)
+	    firmware/zstrip/effect/alpha_texels.c $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)

@@ -373,6 +373,9 @@ static int on_draw(struct zs_job *job)
     const struct our_shader *s = sim_shader_of(job->shader);
     const uint32_t setups = sim_now.r->stats.tris_setup, px = tested(), before = written();
     sim_now.lit = 0;
+#if ZS_CHAIN_USED
+    job->chain = NULL; /* one triangle a call */
+#endif
     if (!fast_of(job)->of->draw(job))
         return 0;
     if (sim_now.r->stats.tris_setup == setups)
