@@ -34,7 +34,8 @@
 #endif
 
 /* 1: sum the products of a matrix row and a vector in 64 bits. That is the default on cores where
- * it costs no more than 32 bits (arch/wide.h). All files of a program must agree on the value. */
+ * it costs no more than 32 bits (arch/wide.h), and on the Cortex-M23, which wants 0. All files of a
+ * program must agree on the value. */
 #ifndef ZS_ROW_WIDE
 #if (defined(__ARM_ARCH) && __ARM_ARCH >= 7) || defined(__x86_64__)
 #define ZS_ROW_WIDE 1
@@ -93,8 +94,8 @@
 #define ZS_C_END
 #endif
 
-/* Of functions that leave things as they were where they fail: who does not look at what they
- * return is warned by the compiler, from C23 and C++17 on. */
+/* For functions that change nothing when they fail: from C23 and C++17 on, the compiler warns if
+ * the result is ignored. */
 #if (defined(__cplusplus) && __cplusplus >= 201703L) ||                                            \
     (defined(__STDC_VERSION__) && __STDC_VERSION__ > 201710L)
 #define ZS_NODISCARD [[nodiscard]]

@@ -49,8 +49,9 @@ struct zs_reflection {
  * everything in view is below 2^30. */
 struct zs_view {
     uint8_t perspective, screen_linear; /* flags; screen_linear: keys are linear on the screen */
-    uint8_t piece_shift;   /* keys are linear on a triangle if (piece_base - d) >> piece_shift is
-                              equal for its three vertices; 0: there is no such test */
+    uint8_t piece_shift;   /* a triangle whose three vertices have the same (piece_base - d) >>
+                              piece_shift lies in one octave: its keys are linear. 0: there is no
+                              such test */
     uint8_t pixelwise;     /* 1: the mapping computes every pixel's key by itself */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
     uint8_t key_fraction;  /* float: key_mantissa + 16 */
@@ -73,9 +74,9 @@ struct zs_view {
     uint32_t key_top;      /* (B - 1) in uq16_16 */
     uint32_t key_mul;      /* the mapping's factor, 31 or 32 bits, ... */
     int32_t key_shift;     /* ... and its shift */
-    uint32_t key_slow, key_known; /* bound without a division: for vertices with keys of at most
-                              key_known that differ by D <= key_slow, 1/z changes by at most D /
-                              key_slow of the least 1/z. Both 0: the mapping has no such bound */
+    uint32_t key_slow, key_known; /* a bound without a division: if all keys of a triangle are at
+                              most key_known and differ by D <= key_slow, 1/z varies by at most D /
+                              key_slow of its least value. Both 0: the mapping has no such bound */
     uint64_t guard;        /* a vertex with |x'| << scale_bits above guard * z is outside the guard
                               band */
     uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key at z = infinity */
@@ -130,8 +131,8 @@ struct zs_xform {
     uint32_t number;    /* of the instance, in the frame */
     uint8_t clip_depth; /* 1: vertices may lie before the near or beyond the far plane */
     uint8_t clip_guard; /* 1: vertices may lie outside the guard band */
-    uint8_t cull;       /* enum zs_cull of the material. A mirror exchanges left and right: then
-                           ^ 1, 3 is ZS_CULL_NONE */
+    uint8_t cull;       /* enum zs_cull of the material; in a mirror ^ 1: BACK and FRONT change
+                           places, and NONE becomes 3, which means the same */
     int32_t row[3 * ZS_ROW_WORDS_MAX]; /* three rows of ZS_ROW_WORDS each; one size on all cores */
 };
 
@@ -178,9 +179,11 @@ struct zs_renderer {
     uint8_t untouched;          /* first touch: which pixels of the current strip are uncleared:
                                    none, all, or some (fast/first_touch.c) */
     uint16_t n_strips, strip;   /* strip: the next one to draw */
-    uint16_t band_end;          /* the bins of strips below this number are complete; those of
-                                   others hold the number of triangles that begin there ... */
-    uint16_t band_begun;        /* ... as far as it is known. band_end when this walk began */
+    uint16_t band_end;          /* bins 0 .. band_end - 1 are lists, and complete. Bins from
+                                   band_end on are counts: how many triangles begin there, of
+                                   those met so far */
+    uint16_t band_begun;        /* band_end when this walk began: it counts no strip from there
+                                   on */
     uint16_t walk_x, walk_end;  /* columns [walk_x, walk_end) of the viewport: where the current
                                    instance is drawn */
     uint16_t walk_y, walk_y_end; /* rows of the frame in which the current pass is drawn */
@@ -253,8 +256,8 @@ struct zs_renderer {
     uint16_t draw_end;            /* no strip from this one on is dirty */
     uint16_t track_instances;     /* number of records */
     uint8_t track_columns;        /* zs_damage_columns; 0: draw all columns of a dirty strip */
-    uint8_t by_clusters;          /* 1: clusters of the current instance may be culled; 2:
-                                     those beside share->from .. to are */
+    uint8_t by_clusters;          /* 1: clusters of the current instance may be culled; 2: those
+                                     outside [share->from, share->to) are left to the other core */
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and
                                      keys; the others are uncleared (fast/first_touch.c) */
     int16_t was[2];               /* the same of the current row, before the current triangle */
@@ -271,8 +274,9 @@ struct zs_renderer {
     uint8_t cover_next, cover_known, cover_waits; /* cover_waits: the tiles that the last large
                                      triangle covers by itself are not in bound[] yet */
     struct zs_lit lit;
-    /* A sink has failed: the strip before `last` and `last` may not have reached the panel; NULL:
-     * any strip may not. NULL: no damage tracking (damage/changed.c). */
+    /* Called when a sink has failed: `last` and the strip before it may not have reached the panel;
+     * where last is NULL, any strip may not. The hook is NULL without damage tracking
+     * (damage/changed.c). */
     void (*unsent)(struct zs_renderer *r, const struct zs_strip *last);
 };
 

@@ -103,7 +103,7 @@ static inline uint16_t zs_wire565(uint8_t r, uint8_t g, uint8_t b)
 
 /* ---- Textures ----------------------------------------------------------------------------- */
 
-/* A texel format: one of these three. */
+/* A texel format: one of these, or one with alpha (zs_filter.h). */
 struct zs_texel;
 extern const struct zs_texel zs_texel_565;  /* uint16_t [height][width], RGB565 values */
 extern const struct zs_texel zs_texel_pal8; /* uint8_t [height][width], palette numbers */
@@ -142,9 +142,9 @@ struct zs_cluster {
     int8_t axis[3];    /* of a cone that holds their normals, 127 is 1 */
     int8_t cutoff;     /* 0 .. 127, 127 is 1. Every triangle is back-facing for an eye with
                           (center - eye) . axis >= cutoff * |center - eye| + radius; 127: never */
-    uint16_t height;   /* 1/16 step, rounded down: the least height of a triangle over its longest
-                          side. Triangles with two corners in one place do not count. 0: not
-                          known, and the cone is not used */
+    uint16_t height;   /* 1/16 step, rounded down: a triangle's height on its longest side, the
+                          least of all. Triangles with two corners in one place do not count. 0:
+                          not known; the cone is not used then */
 };
 
 /* Triangles over shared vertices. In world units, before the pose of its instance, a vertex is at
@@ -322,8 +322,8 @@ struct zs_camera {
     uint8_t projection; /* enum zs_projection */
     zs_uq32_32 focal;   /* perspective: focal length in pixels, 2^-16 .. 2^23 */
     zs_q48_16 height;   /* orthographic: world units that the frame's height spans, 2^-13 .. 2^30;
-                           refused with ZS_ERR_RANGE where a sub-pixel is below 2^-29 of what is in
-                           view */
+                           refused with ZS_ERR_RANGE where a sub-pixel is smaller than 2^-29 of
+                           the farthest coordinate in view */
     zs_q48_16 z_near, z_far; /* world units along the view axis, |near| <= ZS_WORLD_MAX, near < far
                                 <= ZS_FAR_MAX; perspective: near > 0, far - near >= far / 65536 */
 };

@@ -17,7 +17,7 @@ extern const struct zs_depth zs_depth_linear; /* (z - n) / (f - n) * (B - 1), an
                                                  perspective one it costs a reciprocal a pixel */
 
 /* n / z as an unsigned float of e exponent bits and m = b - e mantissa bits, subtracted from 2^b.
- * With 2^-(k+1) <= r = n / z <= 2^-k, k at most 2^e - 2 (beyond that, 2^e - 2 and r from 0),
+ * With 2^-(k+1) <= r = n / z <= 2^-k, k at most 2^e - 2 (the last octave reaches down to r = 0),
  *   key = 2^b - ((2^e - 2 - k) 2^m + r 2^(k+1+m))
  * 0 at near. A bucket is 2^-(m+1) .. 2^-m of the distance while z < n * 2^(2^e - 1); beyond that, a
  * bucket keeps its width in r. Perspective cameras. */
@@ -82,8 +82,8 @@ struct zs_config {
 #define ZS_ARENA(name, bytes) static uint32_t name[((bytes) + 3u) / 4u] ZS_ALIGNED
 
 /* Counts of the frame that zs_frame_begin started; complete after zs_frame_end. Triangles are
- * counted once, vertices and pixels as often as they are worked on. tris_in = tris_drawn + all
- * tris_* from tris_frustum to tris_index. */
+ * counted once, vertices and pixels as often as they are worked on. tris_in is the sum of the ten
+ * counts from tris_frustum to tris_index. */
 struct zs_stats {
     uint32_t instances_in;
     uint32_t instances_culled; /* the sphere is outside the view, or hidden: */
@@ -107,9 +107,9 @@ struct zs_stats {
     uint32_t tris_setup;      /* set-ups: a triangle in a strip */
     uint32_t tris_hidden;     /* set-ups saved: a triangle that is covered in a strip, or beside the
                                  columns that are drawn of it (zs_damage_columns) */
-    uint32_t pixels_tested;   /* of triangles drawn: compared with the depth buffer, or */
-    uint32_t pixels_untested; /* of these: not compared, as nothing was drawn there yet */
-    uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
+    uint32_t pixels_tested;   /* covered by triangles that are drawn */
+    uint32_t pixels_untested; /* of these: drawn without a test, as nothing was drawn there yet */
+    uint32_t pixels_written;  /* of these: coloured; 0 unless built with ZS_STATS = 1 */
     uint32_t strips;          /* given out so far */
     uint32_t strips_clean;    /* with dirty_w 0; 0 without damage tracking */
     uint32_t strips_skipped; /* not drawn (zs_damage_track, zs_frame_skip). Triangles that are in no

@@ -59,10 +59,9 @@ struct zs_shader {
     void (*start)(struct zs_job *job);
     void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
     /* The library's shaders that test depth in their own way, because they leave pixels out or
-     * never write keys: takes the place of zs_rows_test (core/rows.h), with its arguments. Under
-     * the depth buffer, zs_method_hiz and zs_method_transparent, without an accelerator of the
-     * shader; methods with a test of their own call run. NULL: the usual test. Such a shader has
-     * .opaque 0. */
+     * never write keys: takes the place of zs_rows_test (core/rows.h), with its arguments, under
+     * the depth buffer, zs_method_hiz and zs_method_transparent. Other methods ignore it and call
+     * run. NULL: the usual test. A shader with a span has no accelerator, and .opaque 0. */
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t step);
     /* Return ZS_OK, or the error with which zs_frame_begin refuses this instance. NULL: ZS_OK. */
@@ -81,8 +80,8 @@ struct zs_shader {
     uint8_t opaque;     /* 1: the shader colours every pixel that has passed the depth test, and
                            does not read its old colour; accelerators may leave out what it covers.
                            0 is right for every shader: from the first such instance on, the frame
-                           is drawn without the accelerator `tiles`. The library's textured ones
-                           have 3, by which zs_filtered_set (zs_filter.h) knows them */
+                           is drawn without the accelerator `tiles`. Bit 1 is the library's:
+                           zs_filtered_set (zs_filter.h) takes shaders that have it */
     uint8_t by_fragment; /* set by ZS_FRAGMENTS */
     uint8_t layer;       /* set by ZS_LAYER (zs_blend.h): drawn last by zs_method_transparent */
 };

@@ -18,7 +18,8 @@
 void zs_bin_empty(struct zs_renderer *r);
 /* Remove the vertices that no binned triangle uses. Indices in the pool change. */
 void zs_bin_pack(struct zs_renderer *r);
-/* The same after a packing, if no triangle has been removed since. */
+/* As zs_bin_pack, but looks only at what was added since the last packing. No triangle may have
+ * been removed since. */
 void zs_bin_pack_new(struct zs_renderer *r);
 /* Make room: free at least an eighth of both pools. The band may lose strips. Return 0: the band is
  * a single strip, and there is still no room. */
@@ -31,8 +32,8 @@ void zs_bin_fresh(struct zs_renderer *r, uint32_t slot, uint32_t n);
 /* Find a triangle's three vertices in the pool, or transform them into it. Return 0: the pool is
  * full. */
 int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3]);
-/* Begin a band of strips, with empty pools: from the current strip on, up to `end` at most, so many
- * that the pools will hold their triangles, as far as an earlier band has counted them. */
+/* Empty the pools and choose the band: from r->strip on, at most to `end`; it ends earlier where
+ * counts of an earlier walk say that the pools would overflow. */
 void zs_bin_band(struct zs_renderer *r, uint16_t end);
 /* Update the pools' high-water marks in the statistics. */
 void zs_bin_count(struct zs_renderer *r);

@@ -22,4 +22,15 @@ static inline void zs_edges_cut(struct zs_job *job, int32_t row)
         zs_edges_columns(job, row);
 }
 
+/* Return 1 if the spans of all rows are known and empty. */
+static inline int zs_edges_none(const struct zs_job *job)
+{
+    if (job->cut_end < job->row_end)
+        return 0;
+    const struct zs_cut *cut = job->cut, *const end = cut + (job->cut_end - job->row);
+    while (cut != end && cut->x0 >= cut->x1)
+        cut++;
+    return cut == end;
+}
+
 #endif

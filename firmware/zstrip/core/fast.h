@@ -2,8 +2,8 @@
  * without them, every frame is the same, bit for bit.
  *
  * An accelerator is a const struct zs_fast of optional hooks. It is used, and linked, only if
- * zs_config.fast names it (zs_fast.h has the lists). A hook that returns 0 has declined and has
- * changed nothing; the core then does the work itself.
+ * zs_config.fast names it (zs_fast.h has the lists). A hook that returns 0 has declined; the core
+ * then does the work itself. It has changed nothing that the core does not set anew.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -53,8 +53,8 @@ struct zs_fast_tiles {
      * is large, record which tiles it covers and how far, and set r->large. */
     void (*cover)(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
                   const struct zs_vertex *c);
-    /* Called for r->strip if r->large is set. Return a depth: a triangle with a vertex up to this
-     * depth is not hidden. UINT32_MAX: no triangle of the strip is hidden. */
+    /* Called for r->strip if r->large is set. Return a depth: `hides` is asked about triangles
+     * alone whose vertices all lie beyond it. UINT32_MAX: no triangle of the strip is hidden. */
     uint32_t (*seen)(struct zs_renderer *r);
     /* Return 1 if no pixel of job->tri can pass the depth test in this strip. */
     int (*hides)(struct zs_job *job);
@@ -91,7 +91,7 @@ struct zs_fast_batch {
      * in zs_assemble_tri. */
     uint32_t (*bin)(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *outcome,
                     uint32_t *piece);
-    /* A pool was full at triangle t of the current instance; there is room again. */
+    /* A pool was full at triangle t of the current instance, and the method has made room. */
     void (*full)(struct zs_renderer *r, uint32_t t);
     /* A pool is full at triangle t of the current instance, and r->parts_tris is set. Return 1 if
      * there is room now. */
@@ -136,8 +136,9 @@ struct zs_fast {
     const struct zs_shader *shader;
     /* In place of set-up and rasterisation: draw job->tri in its strip. Called if the triangle has
      * no depth state, its keys may be linear, and no pixel of the strip is uncleared. Sets
-     * job->row_last if it returns 1. Where job->chain is set (ZS_CHAIN_USED), it may go on to those
-     * next in the list, of one instance, that end in the strip; job->tri is the last. */
+     * job->row_last if it returns 1. Where job->chain is set (ZS_CHAIN_USED), it may also draw the
+     * triangles that follow in the list, while they are of the same instance and end in this strip;
+     * it leaves job->tri at the last one that it has drawn. */
     int (*draw)(struct zs_job *job);
 #if ZS_SET_UP
     /* In place of shader->start. */

@@ -125,8 +125,10 @@ struct zs_kept {
 #define ZS_CHAIN_USED 0
 #endif
 
-/* The job lives only while its triangle is drawn in one strip. The fields that scanlines, spans and
- * set-up need come first: a Cortex-M0 reaches 124 bytes behind a pointer at no extra cost. */
+/* What a triangle is drawn by. One job serves all triangles of a strip; what is the same for an
+ * instance (shader, texture, accelerator) is kept from one to the next. The fields that scanlines,
+ * spans and set-up need come first: a Cortex-M0 reaches 124 bytes behind a pointer at no extra
+ * cost. */
 struct zs_job {
     uint8_t saturates;   /* 1: a key may exceed 2^bits - 2 and has to be clamped */
     uint8_t split;       /* enum zs_split, or-ed */

@@ -12,7 +12,7 @@ struct zs_row;
 
 struct zs_method {
     /* Called by zs_init: return ZS_OK, or the error with which r->config is refused. A method that
-     * colours pixels in its own way sets r->span. NULL: the depth buffer, and no other. */
+     * colours pixels in its own way sets r->span. NULL in zs_method_buffer alone. */
     int (*begin)(struct zs_renderer *r);
     /* Bin if r->band_end says so (zs_walk), and draw strip r->strip. */
     void (*strip)(struct zs_renderer *r);
@@ -24,8 +24,8 @@ struct zs_method {
     uint16_t (*list)(struct zs_renderer *r);
     uint8_t passes; /* 1: frames may be drawn in passes (zs_pass.h): a list has the triangles of a
                        pass before those of the next one */
-    uint8_t buffer; /* 1: triangles of shaders without .layer are drawn as by the depth buffer, in
-                       scene order and once */
+    uint8_t buffer; /* 1: opaque triangles are drawn as zs_method_buffer does; layers (.layer) are
+                       not */
     uint8_t once;   /* 1: of each pixel, only the nearest triangle's colour is computed */
 };
 

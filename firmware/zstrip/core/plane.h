@@ -13,7 +13,8 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
                     const struct zs_vertex *c);
 /* Set the other fields of job->geom. */
 void zs_plane_geom(struct zs_job *job);
-enum zs_plane_kind { /* for value n, gradients of 2^(32 - n) and more are computed by division */
+enum zs_plane_kind { /* the value is least_shift: gradients of 2^(32 - least_shift) and more are
+                        computed by division */
                      ZS_PLANE_WIDE = 2, /* 31 significant bits: error below the larger of 2^-21 of
                                            the largest value and (W + H + 1) / 2 * 2^-31 */
                      ZS_PLANE_KEY = 5   /* buckets or codes, uq16_16: error below 0.005 of one */

@@ -12,6 +12,7 @@
 #include "core/pass.h"
 #include "core/plane.h"
 #include "core/raster.h"
+#include "core/raster_fast.h"
 #include "core/rows.h"
 #include "zs_shader.h"
 
@@ -55,17 +56,6 @@ ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
-/* Return 1 if the spans of all rows are known and empty. */
-static int covers_nothing(const struct zs_job *job)
-{
-    if (job->cut_end < job->row_end)
-        return 0;
-    const struct zs_cut *cut = job->cut, *const end = cut + (job->cut_end - job->row);
-    while (cut != end && cut->x0 >= cut->x1)
-        cut++;
-    return cut == end;
-}
-
 /* Set the rows of job->tri in its strip, and its sides. Return 0 if it has no row there. */
 static int sides(struct zs_job *job)
 {
@@ -83,81 +73,6 @@ static int sides(struct zs_job *job)
     return 1;
 }
 
-#if ZS_CHAIN_USED
-#define fast_chain(job, all) ((void)((job)->chain = (all)))
-/* Return job->tri, to which fast->draw has gone on from t; *list: its number. */
-static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tri *t,
-                                          uint16_t *list)
-{
-    if (job->tri == t)
-        return t;
-    *list = (uint16_t)(job->tri - job->r->tri);
-    return job->r->tri + *list;
-}
-#else
-#define fast_chain(job, all) ((void)0)
-#define fast_reached(job, t, list) (t)
-#endif
-#if ZS_HAS_64
-#define fast_keep(job, at) ((void)((job)->keep = (at)))
-#else
-#define fast_keep(job, at) ((void)0)
-#endif
-
-/* What accelerators of Armv6-M do in place of set-up: nothing is done where a core has none. */
-#if ZS_SET_UP
-static enum zs_set_up (*set_up_of(const struct zs_renderer *r))(struct zs_job *)
-{
-    const struct zs_fast *const *at = r->config.fast;
-    while (at && *at && !(*at)->set_up)
-        at++;
-    const struct zs_fast *of = at ? *at : 0;
-    return of ? of->set_up : 0;
-}
-
-static inline void fast_target(struct zs_job *job, const struct zs_renderer *r)
-{
-    job->piece_shift = r->view.piece_shift;
-    job->key_slow = r->view.key_slow;
-    job->key_known = r->view.key_known;
-    job->set_up = job->depth && job->piece_shift ? set_up_of(r) : 0;
-#if ZS_RP2040
-    job->kept.of = ZS_NIL;
-#endif
-}
-
-#if ZS_RP2040
-/* Whether fast->draw, which has declined, has tried what fast_setup does. On an RP2040 worth 1 %
- * of a scene of small smooth triangles in perspective, 0.3 % of teapot and knot, 0.2 % of china. */
-#define fast_tried(job) ((job)->kept.of == (job)->tri->instance || !(job)->texture)
-#else
-#define fast_tried(job) 0
-#endif
-
-/* In place of job_setup and key_plane. Return ZS_SET_UP_NOT if it is not done. */
-static inline enum zs_set_up fast_setup(struct zs_job *job)
-{
-    const enum zs_set_up done = job->set_up ? job->set_up(job) : ZS_SET_UP_NOT;
-    if (done == ZS_SET_UP_ROWS) {
-        job->r->stats.tris_setup++;
-        zs_edges_cut(job, job->row);
-        return covers_nothing(job) ? ZS_SET_UP_NONE : ZS_SET_UP_ROWS;
-    }
-    return done;
-}
-
-/* In place of shader->start. Return 0 if it is not done. */
-static inline int fast_start(struct zs_job *job)
-{
-    return job->rows && job->fast->start && job->fast->start(job);
-}
-#else
-#define fast_target(job, r) ((void)(job))
-#define fast_tried(job) 0
-#define fast_setup(job) ((void)(job), ZS_SET_UP_NOT)
-#define fast_start(job) ((void)(job), 0)
-#endif
-
 /* Set up job for its triangle in its strip. Return 0 if the triangle covers no pixel there. */
 static ZS_NOINLINE int job_setup(struct zs_job *job)
 {
@@ -165,7 +80,7 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
         return 0;
     job->r->stats.tris_setup++;
     zs_edges_cut(job, job->row);
-    if (covers_nothing(job))
+    if (zs_edges_none(job))
         return 0;
     zs_plane_geom(job);
     return 1;

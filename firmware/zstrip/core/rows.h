@@ -21,11 +21,11 @@ struct zs_row {
     uint64_t w;     /* job->w64 at column 0, if keys are not linear */
 };
 
-typedef void zs_span_fn(struct zs_job *job, const struct zs_row *row);
+typedef void zs_row_fn(struct zs_job *job, const struct zs_row *row);
 
 /* Call span() for each scanline of a job that has pixels in the viewport. Spans come from job->cut,
  * which is filled again when it is used up. wide is a constant: 1 steps row.w as well. */
-ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, int wide)
+ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_row_fn *span, int wide)
 {
     const int32_t width = job->width;
     uint32_t tested = 0;

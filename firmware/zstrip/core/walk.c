@@ -148,10 +148,10 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
     return 1;
 }
 
-ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
+ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t end)
 {
     struct cursor at = { 0 };
-    zs_bin_band(r, band_end);
+    zs_bin_band(r, end);
     r->stats.passes++;
     r->walk_most = 0;
     r->walk_least = r->config.width;

@@ -7,12 +7,10 @@
 
 #include "zstrip.h"
 
-/* Traverse the scene and bin its triangles in strips [r->strip, r->band_end). The band begins with
- * all strips up to band_end. If a pool gets full, the band shrinks. If the band is a single
- * strip and a pool is still full, the binned triangles are drawn, and traversal goes on with empty
- * pools.
- */
-void zs_walk(struct zs_renderer *r, uint16_t band_end);
+/* Traverse the scene and bin its triangles in the band: strips [r->strip, end) at first. When a
+ * pool is full, the band is shortened (r->band_end). If it is a single strip and a pool is still
+ * full, the binned triangles are drawn, and traversal goes on with empty pools. */
+void zs_walk(struct zs_renderer *r, uint16_t end);
 
 /* What is drawn of the pass in hand: all of its viewport. */
 static inline void zs_walk_region(struct zs_renderer *r)
