@@ -34,10 +34,11 @@
 #endif
 
 /* 1: sum the products of a matrix row and a vector in 64 bits. That is the default on cores where
- * it costs no more than 32 bits (arch/wide.h), and on the Cortex-M23, which wants 0. All files of a
+ * it costs no more than 32 bits (arch/wide.h): not on Armv6-M and the Cortex-M23. All files of a
  * program must agree on the value. */
 #ifndef ZS_ROW_WIDE
-#if (defined(__ARM_ARCH) && __ARM_ARCH >= 7) || defined(__x86_64__)
+#if (defined(__ARM_ARCH) && __ARM_ARCH >= 7 && (!defined(__thumb__) || defined(__thumb2__))) ||    \
+    defined(__x86_64__)
 #define ZS_ROW_WIDE 1
 #else
 #define ZS_ROW_WIDE 0
