@@ -49,7 +49,7 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
 hook() { # FILE: the hook of a program with an overlay, which zs_explain looks for, as an object beside the others
     printf '#include "zs_overlay.h"\nconst struct zs_resolve hook = { .draw = zs_overlay_draw };\n' >"$1.c"
     # shellcheck disable=SC2086
-    ${ARM}gcc -std=c11 -mcpu="$c" -mthumb $OPT $flags $MEASURED -Ifirmware/zstrip -c "$1.c" -o "$1.o"
+    CCACHE_DISABLE=1 ${ARM}gcc -std=c11 -mcpu="$c" -mthumb $OPT $flags $MEASURED -Ifirmware/zstrip -c "$1.c" -o "$1.o"
 }
 copy() { # NAME: a folder of all objects
     dir=$B/stack-$1

@@ -34,13 +34,13 @@ static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tr
 
 /* What accelerators of Armv6-M do in place of set-up: nothing is done where a core has none. */
 #if ZS_SET_UP
-static enum zs_set_up (*set_up_of(const struct zs_renderer *r))(struct zs_job *)
+/* Return the first accelerator that has a set-up, or NULL. */
+static inline const struct zs_fast *fast_with_set_up(const struct zs_renderer *r)
 {
     const struct zs_fast *const *at = r->config.fast;
     while (at && *at && !(*at)->set_up)
         at++;
-    const struct zs_fast *of = at ? *at : 0;
-    return of ? of->set_up : 0;
+    return at ? *at : 0;
 }
 
 static inline void fast_target(struct zs_job *job, const struct zs_renderer *r)
@@ -48,7 +48,8 @@ static inline void fast_target(struct zs_job *job, const struct zs_renderer *r)
     job->piece_shift = r->view.piece_shift;
     job->key_slow = r->view.key_slow;
     job->key_known = r->view.key_known;
-    job->set_up = job->depth && job->piece_shift ? set_up_of(r) : 0;
+    const struct zs_fast *of = job->depth && job->piece_shift ? fast_with_set_up(r) : 0;
+    job->set_up = of ? of->set_up : 0;
 #if ZS_RP2040
     job->kept.of = ZS_NIL;
 #endif
