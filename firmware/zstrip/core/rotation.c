@@ -67,11 +67,12 @@ void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
         out[k] = (int32_t)zs_round_shift(zs_cross_at(a, b, k), 30);
 }
 
-ZS_SHARED int zs_within(const int32_t *v, int n, uint32_t most)
+ZS_SHARED int zs_within(const int32_t *v, int n, int32_t most)
 {
-    while (n && zs_size32(v[n - 1]) <= most)
-        n--;
-    return n == 0;
+    for (int k = 0; k < n; k++)
+        if (v[k] > most || v[k] < -most)
+            return 0;
+    return 1;
 }
 
 int zs_rotation_ok(const zs_q2_30 m[9])

@@ -9,8 +9,8 @@
 #include "zstrip.h"
 
 /* Return 1 if n components are all at most `most` in size. */
-int zs_within(const int32_t *v, int n, uint32_t most);
-#define ZS_UNIT_MOST (ZS_Q30_ONE + (1u << 10)) /* a component of a unit vector, and 2^-20 */
+int zs_within(const int32_t *v, int n, int32_t most);
+#define ZS_UNIT_MOST (ZS_Q30_ONE + (1 << 10)) /* a component of a unit vector, and 2^-20 */
 /* Return 1 if the rows are orthonormal, to 2^-20, and form a right-handed system. */
 int zs_rotation_ok(const zs_q2_30 m[9]);
 /* out = a * b, nearest. out is neither a nor b. */

@@ -28,9 +28,10 @@ void matrix_rows(void)
             int32_t row[ZS_ROW_WORDS];
             const int32_t lo = half & 1 ? 1 << 29 : 0, hi = half & 1 ? (1 << 30) + 1 : 1 << 29;
             const int32_t from = half & 2 ? -hi : lo, to = half & 2 ? -lo : hi;
-            const int32_t m[3] = { any_i32(from, to), any_i32(from, to), any_i32(from, to) };
+            for (int j = 0; j < 3; j++)
+                row[j] = any_i32(from, to);
             const int64_t t = ((int64_t)1 << (30 + shift)) - 1;
-            row_set(row, m, any_i64(-t, t), shift);
+            row_set(row, any_i64(-t, t), shift);
             for (int j = 0; j < 3; j++)
                 ASSERT(row[ZS_ROW_HIGH + j] <= (1 << (30 - row[ZS_ROW_S])) + 1);
         }
