@@ -121,11 +121,11 @@ $(CHECKSUMS) $(CHECKSUMS_BARE): tests/lib/checksum_program.sh $(HEADERS)
 CHECKSUMS_ALL = $(patsubst %,$(B)/test/checksum-%,gcc-O0 gcc-O3 clang-O3 powerpc-O2)
 CHECKSUM_SOURCES = tests/property/checksum.c $(CORE)
 LINKED = $(B)/test/checksum-sources
-$(LINKED): $(B)/test/checksum-gcc-O0 tests/lib/checksum_sources.sh
-	@sh tests/lib/checksum_sources.sh $< gcc $(filter-out -,$(CHECKSUM_FLAGS)) -- $(CHECKSUM_SOURCES) >$@
+$(LINKED): $(B)/test/checksum-gcc-O0
+	@sh tests/lib/checksum_program.sh $< gcc $(filter-out -,$(CHECKSUM_FLAGS)) -- list $(CHECKSUM_SOURCES) >$@
 $(CHECKSUMS_ALL): $(CHECKSUM_SOURCES)
 	@mkdir -p $(@D)
-	@$(CHECKSUM) $(CHECKSUM_SOURCES)
+	@$(CHECKSUM) all $(CHECKSUM_SOURCES)
 $(filter-out $(CHECKSUMS_ALL),$(CHECKSUMS)): $(LINKED)
 	@$(CHECKSUM) of $<
 $(B)/test/bare-%: $(LINKED) $(B)/test/checksum-%

@@ -20,9 +20,9 @@
 
 /* The position of the traversal. */
 struct cursor {
-    uint32_t tri, end, piece; /* the next triangle, and where their run ends */
+    uint32_t tri, piece;
     uint16_t instance;
-    uint8_t open; /* 1: the instance's triangles are being binned */
+    uint8_t open; /* 1: the instance's triangles are being binned; tri is the next one */
     zs_assemble_fn *assemble;      /* bins one of them */
     uint32_t outcome[ZS_OUTCOMES]; /* the walk's triangles so far, counted by outcome */
 };
@@ -77,22 +77,18 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (ZS_IF_FAST(r->batch))
         r->batch->needs(r, &b);
-    if (!ZS_NO_FAST) {
-        r->clusters.from = r->clusters.end = 0;
-        r->by_clusters = clusters && clusters->open(r, &b);
-    }
+    r->clusters.from = r->clusters.end = 0;
+    r->by_clusters = clusters && clusters->open(r, &b);
     return 1;
 }
 
-/* Go to the next run of triangles of the current instance. Return 0 if there is none: without
- * clusters, all were one run. */
+/* Go to the next run of triangles of the current instance, [r->clusters.from, r->clusters.end).
+ * Return 0 if there is none: without clusters, all were one run. */
 static ZS_RARE int next_run(struct zs_renderer *r, struct cursor *at)
 {
-    if (!ZS_IF_FAST(r->by_clusters) || !r->clusters_hooks->run(r))
-        return 0;
+    const int some = ZS_IF_FAST(r->by_clusters) && r->clusters_hooks->run(r);
     at->tri = r->clusters.from;
-    at->end = r->clusters.end;
-    return 1;
+    return some;
 }
 
 /* Open the cursor's instance and count it. Return 0 if it has nothing to bin. */
@@ -125,7 +121,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
     if (ZS_IF_FAST(r->by_clusters))
         return next_run(r, at);
     at->tri = 0;
-    at->end = all;
+    r->clusters.end = all;
     return all != 0;
 }
 
@@ -134,11 +130,11 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
     do {
         if (ZS_IF_FAST(r->batched)) {
-            at->tri = r->batch->bin(r, at->tri, at->end, at->outcome, &at->piece);
-            if (at->tri < at->end)
+            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->outcome, &at->piece);
+            if (at->tri < r->clusters.end)
                 return 0;
         }
-        for (; at->tri < at->end; at->tri++) {
+        for (; at->tri < r->clusters.end; at->tri++) {
             const enum zs_outcome outcome = at->assemble(r, at->tri, &at->piece);
             if (outcome == ZS_OUTCOME_FULL)
                 return 0;
