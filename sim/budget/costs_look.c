@@ -7,6 +7,7 @@
 
 #include "core/job.h"
 #include "core/pass.h"
+#include "core/raster_fast.h"
 #include "core/xform.h"
 #include "costs_look.h"
 #include "zs_filter.h"
@@ -373,9 +374,7 @@ static int on_draw(struct zs_job *job)
     const struct our_shader *s = sim_shader_of(job->shader);
     const uint32_t setups = sim_now.r->stats.tris_setup, px = tested(), before = written();
     sim_now.lit = 0;
-#if ZS_CHAIN_USED
-    job->chain = NULL; /* one triangle a call */
-#endif
+    zs_fast_chain(job, NULL); /* one triangle a call */
     if (!fast_of(job)->of->draw(job))
         return 0;
     if (sim_now.r->stats.tris_setup == setups)

@@ -124,7 +124,7 @@ static ZS_NOINLINE void draw(struct zs_job *job, int linear)
     const struct zs_renderer *r = job->r;
     if (job->depth_state)
         job->bias = zs_depth_state_bias(job);
-    if (job->shader->start && !fast_start(job))
+    if (job->shader->start && !zs_fast_start(job))
         job->shader->start(job);
     if (linear && ZS_IF_FAST(job->rows) && !job->split && job->rows(job))
         return;
@@ -244,7 +244,7 @@ static void job_target(struct zs_job *job)
     const int32_t at = (job->y0 - first) * job->pitch + r->view.x;
     job->color = r->color[0] + at;
     job->depth = r->depth ? r->depth + at : 0;
-    fast_target(job, r);
+    zs_fast_target(job, r);
     job->key_limit = r->view.key_top - 0x10000u; /* a bucket below B - 1: room for half a bucket and
                                                     the error of the plane (plane.c) */
 }
@@ -276,7 +276,7 @@ void zs_raster_strip(struct zs_renderer *r)
     job_begin(&job, r);
     struct sight sight = sight_of(r);
     const int asked = sight.beside || sight.seen != UINT32_MAX;
-    fast_chain(&job, asked ? 0 : r->tri);
+    zs_fast_chain(&job, asked ? 0 : r->tri);
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         job.tri = t;
@@ -295,17 +295,17 @@ void zs_raster_strip(struct zs_renderer *r)
             if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
                 number = ZS_NIL; /* first touch has ended: call job_instance again, which may now
                                     return a function for small triangles */
-            fast_keep(&job, goes_on ? &keep : 0);
+            zs_fast_keep(&job, goes_on ? &keep : 0);
             if (!ZS_IF_FAST(whole) || !whole(&job)) {
                 if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
-                const enum zs_set_up done = whole && fast_tried(&job) ? ZS_SET_UP_NOT
-                                                                      : fast_setup(&job);
+                const enum zs_set_up done = whole && zs_fast_tried(&job) ? ZS_SET_UP_NOT
+                                                                         : zs_fast_setup(&job);
                 if (done != ZS_SET_UP_NONE && (done || job_setup(&job)))
                     draw(&job, done || key_plane(&job));
             }
         }
-        t = fast_reached(&job, t, &list);
+        t = zs_fast_reached(&job, t, &list);
         if (goes_on && job.row_last > job.y1) {
             *keep = list;
             keep = &t->next;

@@ -12,10 +12,11 @@
 #include "core/job.h"
 
 #if ZS_CHAIN_USED
-#define fast_chain(job, all) ((void)((job)->chain = (all)))
+/* Let fast->draw go on to triangles of the pool `all` that follow in the list; 0: one a call. */
+#define zs_fast_chain(job, all) ((void)((job)->chain = (all)))
 /* Return job->tri, to which fast->draw has gone on from t; *list: its number. */
-static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tri *t,
-                                          uint16_t *list)
+static inline struct zs_tri *zs_fast_reached(const struct zs_job *job, struct zs_tri *t,
+                                             uint16_t *list)
 {
     if (job->tri == t)
         return t;
@@ -23,19 +24,20 @@ static inline struct zs_tri *fast_reached(const struct zs_job *job, struct zs_tr
     return job->r->tri + *list;
 }
 #else
-#define fast_chain(job, all) ((void)0)
-#define fast_reached(job, t, list) (t)
+#define zs_fast_chain(job, all) ((void)0)
+#define zs_fast_reached(job, t, list) (t)
 #endif
 #if ZS_HAS_64
-#define fast_keep(job, at) ((void)((job)->keep = (at)))
+/* Say where the list ends of triangles that go on below the strip; 0: there are none. */
+#define zs_fast_keep(job, at) ((void)((job)->keep = (at)))
 #else
-#define fast_keep(job, at) ((void)0)
+#define zs_fast_keep(job, at) ((void)0)
 #endif
 
 /* What accelerators of Armv6-M do in place of set-up: nothing is done where a core has none. */
 #if ZS_SET_UP
 /* Return the first accelerator that has a set-up, or NULL. */
-static inline const struct zs_fast *fast_with_set_up(const struct zs_renderer *r)
+static inline const struct zs_fast *zs_fast_with_set_up(const struct zs_renderer *r)
 {
     const struct zs_fast *const *at = r->config.fast;
     while (at && *at && !(*at)->set_up)
@@ -43,29 +45,31 @@ static inline const struct zs_fast *fast_with_set_up(const struct zs_renderer *r
     return at ? *at : 0;
 }
 
-static inline void fast_target(struct zs_job *job, const struct zs_renderer *r)
+#if ZS_RP2040
+/* Forget what fast->draw keeps of an instance. */
+#define zs_fast_forget(job) ((void)((job)->kept.of = ZS_NIL))
+/* 1: fast->draw has declined, and has tried what zs_fast_setup does: do not try it again. On an
+ * RP2040 worth 1 % of a scene of small smooth triangles in perspective, 0.3 % of teapot and knot,
+ * 0.2 % of china. */
+#define zs_fast_tried(job) ((job)->kept.of == (job)->tri->instance || !(job)->texture)
+#else
+#define zs_fast_forget(job) ((void)0)
+#define zs_fast_tried(job) 0
+#endif
+
+/* Set what a strip's job needs for zs_fast.set_up. */
+static inline void zs_fast_target(struct zs_job *job, const struct zs_renderer *r)
 {
     job->piece_shift = r->view.piece_shift;
     job->key_slow = r->view.key_slow;
     job->key_known = r->view.key_known;
-    const struct zs_fast *of = job->depth && job->piece_shift ? fast_with_set_up(r) : 0;
+    const struct zs_fast *of = job->depth && job->piece_shift ? zs_fast_with_set_up(r) : 0;
     job->set_up = of ? of->set_up : 0;
-#if ZS_RP2040
-    job->kept.of = ZS_NIL;
-#endif
+    zs_fast_forget(job);
 }
 
-#if ZS_RP2040
-/* 1: fast->draw has declined, and has tried what fast_setup does: do not try it again. On an RP2040
- * worth 1 % of a scene of small smooth triangles in perspective, 0.3 % of teapot and knot, 0.2 % of
- * china. */
-#define fast_tried(job) ((job)->kept.of == (job)->tri->instance || !(job)->texture)
-#else
-#define fast_tried(job) 0
-#endif
-
 /* In place of job_setup and key_plane. Return ZS_SET_UP_NOT if it is not done. */
-static inline enum zs_set_up fast_setup(struct zs_job *job)
+static inline enum zs_set_up zs_fast_setup(struct zs_job *job)
 {
     const enum zs_set_up done = job->set_up ? job->set_up(job) : ZS_SET_UP_NOT;
     if (done == ZS_SET_UP_ROWS) {
@@ -77,15 +81,15 @@ static inline enum zs_set_up fast_setup(struct zs_job *job)
 }
 
 /* In place of shader->start. Return 0 if it is not done. */
-static inline int fast_start(struct zs_job *job)
+static inline int zs_fast_start(struct zs_job *job)
 {
     return job->rows && job->fast->start && job->fast->start(job);
 }
 #else
-#define fast_target(job, r) ((void)(job))
-#define fast_tried(job) 0
-#define fast_setup(job) ((void)(job), ZS_SET_UP_NOT)
-#define fast_start(job) ((void)(job), 0)
+#define zs_fast_target(job, r) ((void)(job))
+#define zs_fast_tried(job) 0
+#define zs_fast_setup(job) ((void)(job), ZS_SET_UP_NOT)
+#define zs_fast_start(job) ((void)(job), 0)
 #endif
 
 #endif
