@@ -86,9 +86,10 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
  * Return 0 if there is none: without clusters, all were one run. */
 static ZS_RARE int next_run(struct zs_renderer *r, struct cursor *at)
 {
-    const int some = ZS_IF_FAST(r->by_clusters) && r->clusters_hooks->run(r);
+    if (!ZS_IF_FAST(r->by_clusters) || !r->clusters_hooks->run(r))
+        return 0;
     at->tri = r->clusters.from;
-    return some;
+    return 1;
 }
 
 /* Open the cursor's instance and count it. Return 0 if it has nothing to bin. */

@@ -47,9 +47,14 @@ ZS_RARE int zs_parts_batched(const struct zs_renderer *r, const struct zs_instan
            !(r->tiles && r->config.width <= 160u && in->mesh->n_tris <= ZS_PARTS_FEW);
 }
 
-/* Choose the size of parts. Return their number; 0 if there is no room for them. */
-static ZS_RARE uint32_t choose(struct zs_renderer *r)
+/* Choose the size of parts. Return their number; 0 if they have no room, or would not pay. */
+static ZS_RARE ZS_NOINLINE uint32_t choose(struct zs_renderer *r)
 {
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const int many = mesh->n_tris > r->config.max_tris && mesh->n_verts > r->config.max_verts;
+    if (r->parts_tris || !r->counting || (r->band_end == r->band_begun && !many) || r->passes ||
+        r->track || r->config.method->begin)
+        return 0;
     const uint32_t most = ZS_TRI_BYTES(r->config.max_tris) / SHARE / 2u;
     for (r->part_log2 = PART_LOG2_MIN; r->part_log2 <= PART_LOG2_MAX; r->part_log2++) {
         uint32_t n = 0;
@@ -63,14 +68,8 @@ static ZS_RARE uint32_t choose(struct zs_renderer *r)
 
 ZS_RARE void zs_parts_begin(struct zs_renderer *r, uint32_t t)
 {
-    const struct zs_mesh *mesh = r->xform.instance->mesh;
-    const int many = mesh->n_tris > r->config.max_tris && mesh->n_verts > r->config.max_verts;
-    uint32_t tris, n;
-    if (r->parts_tris || !r->counting || (r->band_end == r->band_begun && !many) || r->passes ||
-        r->track || r->config.method->begin || (n = choose(r)) == 0)
-        return;
-    tris = (2u * n + 11u) / 12u;
-    if (r->n_tris + tris > r->config.max_tris)
+    const uint32_t n = choose(r), tris = (2u * n + 11u) / 12u;
+    if (n == 0 || r->n_tris + tris > r->config.max_tris)
         return;
     r->parts_tris = (uint16_t)tris;
     r->config.max_tris = (uint16_t)(r->config.max_tris - tris);
