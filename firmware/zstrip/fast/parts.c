@@ -47,7 +47,8 @@ ZS_RARE int zs_parts_batched(const struct zs_renderer *r, const struct zs_instan
            !(r->tiles && r->config.width <= 160u && in->mesh->n_tris <= ZS_PARTS_FEW);
 }
 
-/* Choose the size of parts. Return their number; 0 if they have no room, or would not pay. */
+/* Choose the size of parts. Return their number; 0 if they are there already, have no room or would
+ * not pay. */
 static ZS_RARE ZS_NOINLINE uint32_t choose(struct zs_renderer *r)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
