@@ -48,11 +48,11 @@ test: $(B)/.setup-test
 	    $(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut $(B)/web/index.html
 	@sh tests/run.sh $(B)
 
-## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute;
-##     make t T=raster: those whose name holds that, as make test has them
+## quick: every unit test, for after each change: each fifth of their random cases, without AddressSanitizer, of UBSan
+##     what is cheap; half a minute; make t T=raster: those whose name holds that, as make test has them
 quick: $(B)/.setup-test
 	+@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' unit-programs mutate-link
-	@sh tests/quick.sh $(B)/quick $(UNITS)
+	@ZS_EVERY=$${ZS_EVERY:-5} sh tests/quick.sh $(B)/quick $(UNITS)
 
 t: $(B)/.setup-test
 	$(if $(UNITS_T),,$(error T=$(T): no unit test's name holds that; there are $(UNITS:test_%=%)))

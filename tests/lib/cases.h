@@ -1,7 +1,8 @@
 /* Random cases by seed, and the command that replays one.
  *
  * A test program takes a cmocka filter as its argument ("stress_09*"); ZS_SEED=n in the environment
- * runs seed n alone in every random test that passes the filter.
+ * runs seed n alone in every random test that passes the filter. ZS_EVERY=n: each nth seed
+ * alone, as in make quick.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -26,6 +27,11 @@ typedef int case_fn(uint64_t seed);
 /* Run seeds 1 .. n, or the one of ZS_SEED. Fails the current cmocka test at the first wrong one. */
 void cases_run(const char *test, case_fn *fn, uint64_t n);
 #define CASES(fn, n) cases_run(__func__, fn, n)
+/* From one seed of 1 .. n to the next that is to be run: 1, or with ZS_EVERY as many, but that CASES_LEAST are run. */
+#define CASES_LEAST 8u
+uint64_t cases_step(uint64_t n);
+/* 1: all cases are run, so that what they have met in all can be asserted. */
+int cases_all(void);
 
 /* What cases count, so that it is known that they met it often enough. */
 struct cases_count {

@@ -302,6 +302,7 @@ static int full_stress(void)
 static int drift_within(const struct frame *f, const struct zs_pose *start, uint32_t n, int show)
 {
     char text[160];
+    n /= (uint32_t)cases_step(n);
     const double drift = drift_of(f, start, n), most = n / 1e6;
     show_frame(text, sizeof text, f);
     if (show)

@@ -680,7 +680,7 @@ static void moved_by_whole_pixels_the_same_texels(void **state)
     CASES(moved_case, 600);
     print_message("moved: %llu pixels, all of the same texel\n",
                   (unsigned long long)tally.coordinates);
-    assert_true(tally.coordinates > 30000);
+    assert_true(!cases_all() || tally.coordinates > 30000);
 }
 
 /* From right to left, from bottom to top: the texels of the mirrored pixel, or the one beside where
@@ -931,7 +931,7 @@ static void small_ones_in_one_go_the_same(void **state)
 {
     CASES(small_case, 1500);
     print_message("%llu of %llu in one go\n", (unsigned long long)small_at_once, (unsigned long long)small_setups);
-    assert_true(small_at_once > small_setups / 10);
+    assert_true(!cases_all() || small_at_once > small_setups / 10);
 }
 
 /* ---- The whole pipeline --------------------------------------------------------------------- */

@@ -119,7 +119,7 @@ static void vertices_are_the_exact_sum_rounded_once(void **state)
     uint32_t below = 0, above = 0;
     for (int k = 0; k < 30; k++)
         *(k <= 15 ? &below : &above) += looked_at[k];
-    assert_true(getenv("ZS_SEED") || (below > 10000 && above > 10000 && looked_at[15] && looked_at[29]));
+    assert_true(!cases_all() || (below > 10000 && above > 10000 && looked_at[15] && looked_at[29]));
 }
 
 /* The screen position as the header of xform.c has it, with 128-bit products; 0 outside. */
