@@ -1,7 +1,8 @@
 # What a test's log comes to, and the sanitizers' options that all tests have. Sourced.
 #
 # SPDX-License-Identifier: MIT
-ASAN_OPTIONS=detect_leaks=1:handle_sigill=2
+# 16 MB of freed memory are held back, not 256: pages are used again, which is half a second in eight of test programs
+ASAN_OPTIONS=detect_leaks=1:handle_sigill=2:quarantine_size_mb=16
 LSAN_OPTIONS=suppressions=tests/lib/lsan.txt:print_suppressions=0
 export ASAN_OPTIONS LSAN_OPTIONS
 
