@@ -156,6 +156,7 @@ $(MESH_OBJ): override BOARD_CPU := $(or $(DATA_CPU),$(BOARD_CPU))
 $(MESH_OBJ): override OPT = -O1
 $(MESH_OBJ): override DEBUG =
 $(MESH_OBJ): override LEAN = 0
+$(MESH_OBJ): override DEFINES =
 
 # Said where an image is too large for its board
 FULL = $(BOARD): $(NAME) does not fit it. Pools take most of the RAM: give fewer triangles, vertices or \
