@@ -18,9 +18,12 @@
 #define FLAT(name_, effect_, material_, vertex_, ...)                                                             \
     { &name_, #name_, effect_, SIM_MATERIAL_##material_, 1, vertex_, { __VA_ARGS__ } }
 #define PLAIN(name_, vertex_, ...) ROW(name_, NULL, PLAIN, vertex_, __VA_ARGS__)
-#define TRANSPARENT(family, one, more, less)                                                                      \
-    ROW(zs_##family##_raw, "transparency", BLEND, NULL, one, more, less),                                         \
-        FLAT(zs_##family##_flat, "transparency", BLEND, NULL, one, more, less)
+#define TRANSPARENT(family, one, smooth, texture, more, less)                                                      \
+    ROW(zs_##family##_raw, "transparency", BLEND, NULL, one, "", ""),                                             \
+        FLAT(zs_##family##_flat, "transparency", BLEND, NULL, one, "", ""),                                       \
+        ROW(zs_##family##_smooth, "transparency", BLEND, "a vertex: smooth", smooth, more, less),                 \
+        ROW(zs_##family##_texture, "transparency", BLEND, "a vertex: texture", texture, more, less),              \
+        FLAT(zs_##family##_texture_flat, "transparency", BLEND, "a vertex: texture", texture, more, less)
 
 static const struct sim_shader_row rows[] = {
     PLAIN(zs_shade_raw, NULL, "raw", "", ""),
@@ -29,21 +32,12 @@ static const struct sim_shader_row rows[] = {
     PLAIN(zs_shade_texture, "a vertex: texture", "texture", "", ""),
     PLAIN(zs_shade_texture_flat, "a vertex: texture", "texture_lit", "", ""),
     PLAIN(zs_shade_texture_smooth, "a vertex: texture_smooth", "texture_smooth", "", ""),
-    TRANSPARENT(blend, "blend", "", ""),
-    ROW(zs_blend_smooth, "transparency", BLEND, "a vertex: smooth", "blend_smooth", "", ""),
-    ROW(zs_blend_texture, "transparency", BLEND, "a vertex: texture", "blend_texture", "", ""),
-    FLAT(zs_blend_texture_flat, "transparency", BLEND, "a vertex: texture", "blend_texture", "", ""),
+    TRANSPARENT(blend, "blend", "blend_smooth", "blend_texture", "", ""),
     ROW(zs_blend_texture_smooth, "transparency", BLEND, "a vertex: texture", "blend_texture", "texture_lit",
         "texture"),
-    TRANSPARENT(add, "add", "", ""),
-    ROW(zs_add_smooth, "transparency", BLEND, "a vertex: smooth", "blend_smooth", "add", "blend"),
-    ROW(zs_add_texture, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
-    FLAT(zs_add_texture_flat, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
+    TRANSPARENT(add, "add", "blend_smooth", "blend_texture", "add", "blend"),
     ROW(zs_add_texture_smooth, "transparency", BLEND, "a vertex: texture", "blend_texture", "add", "blend"),
-    TRANSPARENT(stipple, "screen-door", "", ""),
-    ROW(zs_stipple_smooth, "transparency", BLEND, "a vertex: smooth", "smooth", "screen-door of lit", "lit"),
-    ROW(zs_stipple_texture, "transparency", BLEND, "a vertex: texture", "texture", "screen-door of lit", "lit"),
-    FLAT(zs_stipple_texture_flat, "transparency", BLEND, "a vertex: texture", "texture", "screen-door of lit", "lit"),
+    TRANSPARENT(stipple, "screen-door", "smooth", "texture", "screen-door of lit", "lit"),
     ROW(zs_stipple_texture_smooth, "transparency", BLEND, "a vertex: texture", "texture_smooth", "screen-door of lit",
         "lit"),
     ROW(zs_shade_lit, "lamps or highlights", LIT, "a vertex: lit", "lit", "", ""),

@@ -168,29 +168,21 @@ static void count_small_lit(struct zs_job *job, const struct zs_texture *texture
     known[k].fast->texel->small_lit(job, texture, rows);
 }
 
+/* The copy of these hooks, which the list has from here on. */
+#define COPIED(hooks) (hooks##_copy = *fast->hooks, fast->hooks = &hooks##_copy, &hooks##_copy)
 static void copy_frame_hooks(struct zs_fast *fast)
 {
-    if (fast->touch) {
-        touch_copy = *fast->touch;
-        touch_copy.takes = count_takes;
-        fast->touch = &touch_copy;
-    }
+    if (fast->touch)
+        COPIED(touch)->takes = count_takes;
     if (fast->tiles) {
-        tiles_copy = *fast->tiles;
-        tiles_copy.hides = count_hides;
-        tiles_copy.hides_sphere = count_sphere;
-        fast->tiles = &tiles_copy;
+        struct zs_fast_tiles *tiles = COPIED(tiles);
+        tiles->hides = count_hides;
+        tiles->hides_sphere = count_sphere;
     }
-    if (fast->batch) {
-        batch_copy = *fast->batch;
-        batch_copy.bin = count_bin;
-        fast->batch = &batch_copy;
-    }
-    if (fast->clusters) {
-        clusters_copy = *fast->clusters;
-        clusters_copy.run = count_run;
-        fast->clusters = &clusters_copy;
-    }
+    if (fast->batch)
+        COPIED(batch)->bin = count_bin;
+    if (fast->clusters)
+        COPIED(clusters)->run = count_run;
     if (fast->edges)
         fast->edges = count_edges;
 }

@@ -126,8 +126,8 @@ map +++++n+++ff++B-+
 environment eeeeeneeeeeeeeeee
 mirror +++++n+++ff++d++e+
 END
-table smooth <<'END'
-dir +
+# What smooth and textured shading have in common: lights and transparency
+lit_and_blended='dir +
 point -+
 spot --+
 two ---+
@@ -135,7 +135,9 @@ specular +++++
 per-pixel ++++++
 alpha +++++++
 add ++++++-+
-screen-door ++++++--+
+screen-door ++++++--+'
+table smooth <<END
+$lit_and_blended
 bilinear ffffffffff
 mipmap fffffffff-f
 samples +++++++++ff+
@@ -146,16 +148,8 @@ map +++++++++ff++B-+
 environment LLLLLL+++++++B+++
 mirror +++++++++ff+++++++
 END
-table textured <<'END'
-dir +
-point -+
-spot --+
-two ---+
-specular +++++
-per-pixel ++++++
-alpha +++++++
-add ++++++-+
-screen-door ++++++--+
+table textured <<END
+$lit_and_blended
 bilinear ++++++++++
 mipmap +++++++++-+
 samples ++++++++++++

@@ -504,12 +504,33 @@ static void look_texels(const char *name)
     printf("%zu %zu %d\n", n, same, most);
 }
 
+/* What is asked of two files, or of a file and a name. */
+static const struct of_two {
+    const char *what;
+    void (*look)(const char *, const char *);
+} of_two[] = {
+    { "count", look_count }, { "halved", look_halved }, { "halves", look_halves }, { "decode", look_decode },
+    { "drawn", look_drawn }, { "differ", look_differ }, { "keys", look_keys },
+};
+
+static int looked_of_two(const char *what, char **name)
+{
+    for (size_t i = 0; i < sizeof of_two / sizeof of_two[0]; i++)
+        if (strcmp(what, of_two[i].what) == 0) {
+            of_two[i].look(name[0], name[1]);
+            return 1;
+        }
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
     const size_t a = argc > 3 ? strtoul(argv[3], NULL, 10) : 0;
     const size_t b = argc > 4 ? strtoul(argv[4], NULL, 10) : 0;
     const size_t c = argc > 5 ? strtoul(argv[5], NULL, 10) : 0;
+    if (argc == 4 && looked_of_two(what, argv + 2))
+        return 0;
     if (strcmp(what, "png") == 0 && argc == 3) {
         const struct picture p = load_png(argv[2]);
         printf("%u %u %d\n", p.w, p.h, count_colors(&p));
@@ -518,21 +539,13 @@ int main(int argc, char **argv)
         if (a >= p.w || b >= p.h)
             wrong("%s has no pixel %zu,%zu", argv[2], a, b);
         printf("%06x\n", rgb_of(p.px[b * p.w + a]));
-    } else if (strcmp(what, "count") == 0 && argc == 4) {
-        look_count(argv[2], argv[3]);
     } else if (strcmp(what, "codes") == 0 && argc == 7) {
         const size_t at[4] = { a, b, strtoul(argv[5], NULL, 10), strtoul(argv[6], NULL, 10) };
         look_codes(argv[2], at);
-    } else if (strcmp(what, "halved") == 0 && argc == 4) {
-        look_halved(argv[2], argv[3]);
-    } else if (strcmp(what, "halves") == 0 && argc == 4) {
-        look_halves(argv[2], argv[3]);
     } else if (strcmp(what, "mixed") == 0 && argc == 5) {
         look_mixed(argv[2], argv[3], argv[4]);
     } else if (strcmp(what, "texels") == 0 && argc == 3) {
         look_texels(argv[2]);
-    } else if (strcmp(what, "decode") == 0 && argc == 4) {
-        look_decode(argv[2], argv[3]);
     } else if (strcmp(what, "bare") == 0 && argc == 5) {
         look_bare(argv[2], argv[3], argv[4]);
     } else if (strcmp(what, "pgm") == 0 && argc == 5) {
@@ -551,12 +564,6 @@ int main(int argc, char **argv)
         printf("%u\n", m.v[c * a + b]);
     } else if (strcmp(what, "points") == 0 && argc == 4 && a > 0) {
         look_points(argv[2], a);
-    } else if (strcmp(what, "drawn") == 0 && argc == 4) {
-        look_drawn(argv[2], argv[3]);
-    } else if (strcmp(what, "differ") == 0 && argc == 4) {
-        look_differ(argv[2], argv[3]);
-    } else if (strcmp(what, "keys") == 0 && argc == 4) {
-        look_keys(argv[2], argv[3]);
     } else if (strcmp(what, "slope") == 0 && argc == 6) {
         look_slope(argv + 2);
     } else if (strcmp(what, "json") == 0 && (argc == 3 || argc == 4)) {

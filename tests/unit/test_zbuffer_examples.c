@@ -87,6 +87,17 @@ static void check(const struct polygon *list, const int *order, const uint16_t k
     }
 }
 
+/* The same for polygons of one depth each: level[0] is the key of each `a`, level[1] of each `b`. */
+static void check_levels(const struct polygon *list, const int *order, const uint16_t level[2],
+                         const char letter[SIZE][SIZE + 1])
+{
+    uint16_t key[SIZE][SIZE];
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++)
+            key[y][x] = letter[y][x] == '.' ? BACK : level[letter[y][x] - 'a'];
+    check(list, order, (const uint16_t(*)[SIZE])key, letter);
+}
+
 static const int forth[] = { 0, 1, 2 }, back[] = { 1, 0 };
 
 /* Polygon a: depth 5, pixels x + y <= 6. Polygon b: rows 1 .. 6, x < y, depth 3 at the slanted edge and one more for
@@ -125,36 +136,21 @@ static void an_integer_buffer_with_64_and_127(void **state)
         { { { 1, 1, 127 }, { 6, 1, 127 }, { 6, 6, 127 }, { 1, 6, 127 } }, 4, { 127, 127, 127 } },
         { { { 3, 3, 64 }, { 8, 3, 64 }, { 8, 8, 64 }, { 3, 8, 64 } }, 4, { 64, 64, 64 } }
     };
-    static const uint16_t key[SIZE][SIZE] = { { BACK, BACK, BACK, BACK, BACK, BACK, BACK, BACK },
-                                              { BACK, 127, 127, 127, 127, 127, BACK, BACK },
-                                              { BACK, 127, 127, 127, 127, 127, BACK, BACK },
-                                              { BACK, 127, 127, 64, 64, 64, 64, 64 },
-                                              { BACK, 127, 127, 64, 64, 64, 64, 64 },
-                                              { BACK, 127, 127, 64, 64, 64, 64, 64 },
-                                              { BACK, BACK, BACK, 64, 64, 64, 64, 64 },
-                                              { BACK, BACK, BACK, 64, 64, 64, 64, 64 } };
     static const char letter[SIZE][SIZE + 1] = { "........", ".aaaaa..", ".aaaaa..", ".aabbbbb",
                                                  ".aabbbbb", ".aabbbbb", "...bbbbb", "...bbbbb" };
-    check(far_and_near, forth, key, letter);
-    check(far_and_near, back, key, letter);
+    static const uint16_t far_near[2] = { 127, 64 }, same[2] = { 64, 64 };
+    check_levels(far_and_near, forth, far_near, letter);
+    check_levels(far_and_near, back, far_near, letter);
 
     struct polygon one_step[2] = { far_and_near[0], far_and_near[1] };
-    static const uint16_t same[SIZE][SIZE] = { { BACK, BACK, BACK, BACK, BACK, BACK, BACK, BACK },
-                                               { BACK, 64, 64, 64, 64, 64, BACK, BACK },
-                                               { BACK, 64, 64, 64, 64, 64, BACK, BACK },
-                                               { BACK, 64, 64, 64, 64, 64, 64, 64 },
-                                               { BACK, 64, 64, 64, 64, 64, 64, 64 },
-                                               { BACK, 64, 64, 64, 64, 64, 64, 64 },
-                                               { BACK, BACK, BACK, 64, 64, 64, 64, 64 },
-                                               { BACK, BACK, BACK, 64, 64, 64, 64, 64 } };
     static const char a_first[SIZE][SIZE + 1] = { "........", ".aaaaa..", ".aaaaa..", ".aaaaabb",
                                                   ".aaaaabb", ".aaaaabb", "...bbbbb", "...bbbbb" };
     for (int k = 0; k < 4; k++) {
         one_step[0].at[k].z = 64.25;
         one_step[1].at[k].z = 63.75;
     }
-    check(one_step, forth, same, a_first);
-    check(one_step, back, same, letter);
+    check_levels(one_step, forth, same, a_first);
+    check_levels(one_step, back, same, letter);
 }
 
 /* Surfaces that meet between two columns, 2 + x and 9 - x at pixel x, and in a column, 2 + x and 8 - x. */

@@ -321,18 +321,23 @@ static void item_row(const char *name, const struct zs_item *item)
         row(name_, &m.lit.material);                                                                                  \
     }
 
+/* Layers and a screen-door of lit, with a layer and a sum of errors of the function's own. */
+#define LIT_LAYERS(before)                                                                                            \
+    err |= zs_layered_set(&layer, &zs_shade_lit, &zs_layer_mix, 100);                                                 \
+    LIT(before "a layer of lit", layer.shader, far_light, 0, none)                                                    \
+    zs_layered_fog(&layer, &fog);                                                                                     \
+    LIT(before "a layer of lit, in fog", layer.shader, far_light, 0, none)                                            \
+    err |= zs_layered_set(&layer, &zs_shade_lit, &zs_layer_door, 100);                                                \
+    LIT(before "screen-door of lit", layer.shader, far_light, 0, none)
+
 /* Shaders that are made of others. */
 static void made(void)
 {
     static struct zs_layered layer;
     static struct zs_filtered soft;
     static const struct zs_rgb none = ZS_RGB(0), white = ZS_RGB(0xffffff);
-    int err = zs_layered_set(&layer, &zs_shade_lit, &zs_layer_mix, 100);
-    LIT("a layer of lit", layer.shader, far_light, 0, none)
-    zs_layered_fog(&layer, &fog);
-    LIT("a layer of lit, in fog", layer.shader, far_light, 0, none)
-    err |= zs_layered_set(&layer, &zs_shade_lit, &zs_layer_door, 100);
-    LIT("screen-door of lit", layer.shader, far_light, 0, none)
+    int err = 0;
+    LIT_LAYERS("")
     err |= zs_filtered_set(&soft, &zs_shade_texture_gloss, &zs_filter_linear);
     LIT("texture_gloss, bilinear", soft.shader, far_light, &shine, white)
     PHONG_MAPPED("shadowed_phong", zs_shade_shadowed_phong, far_light, map)
@@ -486,12 +491,8 @@ static void made_vertices(void)
 {
     static struct zs_layered layer;
     static const struct zs_rgb none = ZS_RGB(0);
-    int err = zs_layered_set(&layer, &zs_shade_lit, &zs_layer_mix, 100);
-    LIT("a vertex: a layer of lit", layer.shader, far_light, 0, none)
-    zs_layered_fog(&layer, &fog);
-    LIT("a vertex: a layer of lit, in fog", layer.shader, far_light, 0, none)
-    err |= zs_layered_set(&layer, &zs_shade_lit, &zs_layer_door, 100);
-    LIT("a vertex: screen-door of lit", layer.shader, far_light, 0, none)
+    int err = 0;
+    LIT_LAYERS("a vertex: ")
     if (err)
         hal_write("# FAILED: layers\n");
 }
