@@ -9,6 +9,8 @@
 #include <stddef.h>
 
 #include "cases.h"
+#include "picture.h"
+#include "zs_shadow.h"
 #include "zstrip.h"
 
 static const int16_t box_pos[8][3] = { { -50, -50, 50 },  { 50, -50, 50 },  { 50, 50, 50 },  { -50, 50, 50 },
@@ -19,6 +21,23 @@ static const uint16_t box_tri[12][3] = {
 };
 static const int16_t ground_pos[4][3] = { { -100, 0, 100 }, { 100, 0, 100 }, { 100, 0, -100 }, { -100, 0, -100 } };
 static const uint16_t ground_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+
+/* Draw the map with a renderer for it alone: in any way by *p, or, where p is NULL, in one strip. Return what it ends
+ * with. */
+static int map_drawn(struct zs_shadow_map *map, const struct zs_scene *casters, const struct zs_camera *light,
+                     const struct zs_depth *depth, struct prng *p)
+{
+    struct zs_config c = { .width = map->w, .height = map->h, .strip_h = map->h, .max_tris = 200, .max_verts = 200,
+                           .depth = depth };
+    struct zs_renderer r;
+    if (p)
+        picture_any_way(p, &c, 2, 6);
+    void *arena = malloc(zs_arena_bytes(&c));
+    int err = arena ? zs_init(&r, &c, arena, zs_arena_bytes(&c)) : -1;
+    err = err ? err : zs_shadow_map_draw(map, &r, casters, light);
+    free(arena);
+    return err;
+}
 
 static void unit_of(double v[3])
 {

@@ -211,6 +211,22 @@ int picture_alike(struct picture *want, struct picture *is, const char *name)
     return freed(want, is, (want->err && want->err == is->err) || picture_same(want, is, name));
 }
 
+int picture_again(const struct picture *want, const struct zs_config *config, const struct zs_scene *scene,
+                  const struct zs_camera *camera, const char *name)
+{
+    struct picture is = picture_draw(config, scene, camera);
+    const int same = picture_same(want, &is, name);
+    picture_free(&is);
+    return same;
+}
+
+int picture_error(const struct zs_config *config, const struct zs_scene *scene, const struct zs_camera *camera)
+{
+    struct picture is = picture_draw(config, scene, camera);
+    picture_free(&is);
+    return is.err;
+}
+
 int picture_shows(const struct picture *p, uint32_t pixels)
 {
     return (!p->err && p->covered > pixels) || wrong_said("", "error %d, %u pixels", p->err, p->covered);

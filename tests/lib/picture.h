@@ -49,6 +49,11 @@ int picture_same(const struct picture *a, const struct picture *b, const char *n
 int picture_drawn_alike(struct picture *want, struct picture *is, const char *name);
 /* ... where it is right, too, that both were refused with the same error. */
 int picture_alike(struct picture *want, struct picture *is, const char *name);
+/* 1: drawn another way, it is that picture. Else say where they differ first, with a name for the case. */
+int picture_again(const struct picture *want, const struct zs_config *config, const struct zs_scene *scene,
+                  const struct zs_camera *camera, const char *name);
+/* What drawing it ends with; the picture is of no interest. */
+int picture_error(const struct zs_config *config, const struct zs_scene *scene, const struct zs_camera *camera);
 /* 1: tris_in is tris_drawn and all rejects. */
 int stats_add_up(const struct zs_stats *s);
 

@@ -112,16 +112,8 @@ static int place_make(struct place *s, struct prng *p)
 
 static int map_draw(struct place *s, struct prng *p)
 {
-    struct zs_config c = { .width = MAP, .height = MAP, .strip_h = MAP, .max_tris = 200, .max_verts = 200,
-                           .depth = s->lamp.kind == ZS_LAMP_DIRECTIONAL ? &zs_depth_linear : &zs_depth_recip };
-    struct zs_renderer r;
-    if (p)
-        picture_any_way(p, &c, 2, 6);
-    void *arena = malloc(zs_arena_bytes(&c));
-    int err = arena ? zs_init(&r, &c, arena, zs_arena_bytes(&c)) : -1;
-    err = err ? err : zs_shadow_map_draw(&s->map, &r, &s->casters, &s->light);
-    free(arena);
-    return err;
+    return map_drawn(&s->map, &s->casters, &s->light,
+                     s->lamp.kind == ZS_LAMP_DIRECTIONAL ? &zs_depth_linear : &zs_depth_recip, p);
 }
 
 /* ---- Rays in doubles --------------------------------------------------------------------------- */
@@ -297,9 +289,7 @@ static int palette_case(uint64_t seed)
 
 static void drawn_with(const struct place *s, const struct zs_config *c, int err)
 {
-    struct picture is = picture_draw(c, &s->scene, &s->camera);
-    assert_int_equal(is.err, err);
-    picture_free(&is);
+    assert_int_equal(picture_error(c, &s->scene, &s->camera), err);
 }
 
 /* What does not fit is refused by name. */

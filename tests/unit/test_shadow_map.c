@@ -87,20 +87,9 @@ static int place_make(struct place *s, struct prng *p)
     return err;
 }
 
-/* Draw the map with a renderer for it alone. */
 static int map_draw(struct place *s, struct prng *p)
 {
-    struct zs_config c = {
-        .width = s->map.w, .height = s->map.h, .strip_h = s->map.h, .max_tris = 200, .max_verts = 200,
-        .depth = &zs_depth_linear
-    };
-    struct zs_renderer r;
-    if (p)
-        picture_any_way(p, &c, 2, 6);
-    void *arena = malloc(zs_arena_bytes(&c));
-    int err = arena ? zs_init(&r, &c, arena, zs_arena_bytes(&c)) : -1;
-    err = err ? err : zs_shadow_map_draw(&s->map, &r, &s->casters, &s->sun);
-    free(arena);
+    const int err = map_drawn(&s->map, &s->casters, &s->sun, &zs_depth_linear, p);
     if (!err)
         zs_shadow_map_light(&s->map, &s->scene.light);
     return err;
@@ -237,13 +226,11 @@ static int way_case(uint64_t seed)
     CASE_CHECK(map_draw(&s, &p) == ZS_OK);
     CASE_CHECK(!memcmp(key, s.key, sizeof key));
     picture_any_way(&p, &c, 2, 6);
-    struct picture other = picture_draw(&c, &s.scene, &s.camera);
-    int right = picture_same(&one, &other, "another way");
-    picture_free(&other);
+    int right = picture_again(&one, &c, &s.scene, &s.camera, "another way");
     const struct zs_config usual = picture_config(70, 50, c.depth);
     c = usual;
     c.method = prng_pick(&p, 2) ? &zs_method_raycast : &zs_method_hiz;
-    other = picture_draw(&c, &s.scene, &s.camera);
+    struct picture other = picture_draw(&c, &s.scene, &s.camera);
     right = right && !other.err && !memcmp(one.color, other.color, 70 * 50 * sizeof other.color[0]);
     PICTURES_FREE(&one, &other);
     return right || case_wrong("another method");
@@ -382,12 +369,7 @@ static void errors(void **state)
     assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_DEPTH);
 
     struct zs_config draw = picture_config(80, 60, &zs_depth_float);
-#define REFUSED_WITH(error)                                                                                           \
-    do {                                                                                                              \
-        struct picture is = picture_draw(&draw, &s.scene, &s.camera);                                                 \
-        assert_int_equal(is.err, error);                                                                              \
-        picture_free(&is);                                                                                            \
-    } while (0)
+#define REFUSED_WITH(error) assert_int_equal(picture_error(&draw, &s.scene, &s.camera), error)
     REFUSED_WITH(ZS_ERR_NULL); /* not drawn yet */
     assert_int_equal(map_draw(&s, NULL), ZS_OK);
     REFUSED_WITH(ZS_OK);
