@@ -66,7 +66,7 @@ void float_row_ends(void)
         }
 }
 
-#include "any_columns.h"
+#include "any_walks.h"
 
 static void a_span(struct zs_job *j, const struct zs_row *row)
 {
@@ -78,21 +78,9 @@ static void a_span(struct zs_job *j, const struct zs_row *row)
  * columns, planes and anchors: what rows are given lies within the strip */
 void float_walks(void)
 {
-    static const int32_t width[2] = { 1, ZS_SIZE_MAX }, from[3] = { 0, 3, ROWS - 1 }, n[3] = { 1, ZS_CUT_ROWS, ROWS };
-    job.r = &renderer;
-    job.y0 = 4 * ROWS;
-    job.y1 = job.y0 + ROWS;
     job.w64.gx = any_u64(0, UINT64_MAX);
     job.w64.gy = any_u64(0, UINT64_MAX);
     job.w64.base = any_u64(0, UINT64_MAX);
-    job.geom.ia = any_i32(-(1 << 14), 1 << 14);
-    job.geom.ja = any_i32(-(1 << 14), 1 << 14);
     job.two_octaves = (uint8_t)any_u32(0, 1);
-    for (int k = 0; k < 18; k++) {
-        const int32_t row = job.y0 + from[k % 3], end = row + n[k / 3 % 3];
-        job.width = job.pitch = width[k / 9];
-        job.row_end = zs_min32(end, job.y1);
-        zs_edges_cut(&job, row);
-        zs_rows_walk(&job, a_span, 1);
-    }
+    any_walks(a_span, 1);
 }

@@ -156,7 +156,7 @@ void biases(void)
         }
 }
 
-#include "any_columns.h"
+#include "any_walks.h"
 
 static void a_span(struct zs_job *j, const struct zs_row *row)
 {
@@ -167,25 +167,10 @@ static void a_span(struct zs_job *j, const struct zs_row *row)
 
 static void walks_of(int wide)
 {
-    job.r = &renderer;
-    job.y0 = 4 * ROWS;
-    job.y1 = job.y0 + ROWS;
     job.key.gx = any_u32(0, UINT32_MAX);
     job.key.gy = any_u32(0, UINT32_MAX);
     job.key.base = any_u32(0, UINT32_MAX);
-    job.geom.ia = any_i32(-(1 << 14), 1 << 14);
-    job.geom.ja = any_i32(-(1 << 14), 1 << 14);
-    static const int32_t width[2] = { 1, ZS_SIZE_MAX }, from[3] = { 0, 3, ROWS - 1 }, n[3] = { 1, ZS_CUT_ROWS, ROWS };
-    for (int k = 0; k < 18; k++) {
-        const int32_t row = job.y0 + from[k % 3], end = row + n[k / 3 % 3];
-        job.width = job.pitch = width[k / 9];
-        job.row_end = zs_min32(end, job.y1);
-        zs_edges_cut(&job, row);
-        if (wide)
-            zs_rows_walk(&job, a_span, 1);
-        else
-            zs_rows_walk(&job, a_span, 0);
-    }
+    any_walks(a_span, wide);
 }
 
 /* PROVE rows -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows of 1 and of 4096 columns, triangles of 1, 16 and
