@@ -25,6 +25,15 @@ static void open_bench(struct demo_frame *f, uint16_t w)
     c->z_far = (zs_q48_16)BENCH_FAR * BENCH_UNIT * 65536;
 }
 
+/* pose_NAME: what `put` puts there, whatever the time and the picture's height. */
+#define STILL(name, put)                                                                                              \
+    static void pose_##name(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)                                 \
+    {                                                                                                                 \
+        (void)t;                                                                                                      \
+        (void)h;                                                                                                      \
+        put;                                                                                                          \
+    }
+
 /* ---- mesh: 2,520 triangles, half of them turned away, about 26,000 samples ------------------- */
 
 static void put_bumpy(struct demo_frame *f, uint16_t w, const struct zs_mesh *mesh,
@@ -35,20 +44,15 @@ static void put_bumpy(struct demo_frame *f, uint16_t w, const struct zs_mesh *me
                  5000, 3500, 0);
 }
 
-static void pose_mesh(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+static void put_bumpy_lit(struct demo_frame *f, uint16_t w, const struct zs_mesh *mesh,
+                          const struct zs_material *material)
 {
-    (void)t;
-    (void)h;
-    put_bumpy(f, w, &mesh_bumpy, &raw);
-}
-
-static void pose_mesh_lit(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    (void)t;
-    (void)h;
-    put_bumpy(f, w, &mesh_bumpy, &flat);
+    put_bumpy(f, w, mesh, material);
     stage_light(f, -3, 4, 5, 22, 78);
 }
+
+STILL(mesh, put_bumpy(f, w, &mesh_bumpy, &raw))
+STILL(mesh_lit, put_bumpy_lit(f, w, &mesh_bumpy, &flat))
 
 /* ---- mesh_tex: the same triangles, textured; a seam and the poles take 105 vertices more ----- */
 
@@ -56,28 +60,9 @@ STAGE_COVER(tex, zs_shade_texture, texture_map);
 STAGE_COVER(tex_lit, zs_shade_texture_flat, texture_earth);
 STAGE_COVER(tex_smooth, zs_shade_texture_smooth, texture_earth);
 
-static void pose_mesh_tex(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    (void)t;
-    (void)h;
-    put_bumpy(f, w, &mesh_bumpy_uv, &tex);
-}
-
-static void pose_mesh_tex_lit(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    (void)t;
-    (void)h;
-    put_bumpy(f, w, &mesh_bumpy_uv, &tex_lit);
-    stage_light(f, -3, 4, 5, 22, 78);
-}
-
-static void pose_mesh_tex_smooth(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    (void)t;
-    (void)h;
-    put_bumpy(f, w, &mesh_bumpy_uv, &tex_smooth);
-    stage_light(f, -3, 4, 5, 22, 78);
-}
+STILL(mesh_tex, put_bumpy(f, w, &mesh_bumpy_uv, &tex))
+STILL(mesh_tex_lit, put_bumpy_lit(f, w, &mesh_bumpy_uv, &tex_lit))
+STILL(mesh_tex_smooth, put_bumpy_lit(f, w, &mesh_bumpy_uv, &tex_smooth))
 
 /* ---- relief: 2,520 triangles like a scanned head, three in five of which face the eye -------- */
 
@@ -87,19 +72,8 @@ static void put_relief(struct demo_frame *f, uint16_t w, const struct zs_materia
     zs_pose_turn(stage_put(f, &mesh_relief, material, 0, 0, -BENCH_RELIEF_Z * BENCH_UNIT, ZS_Q16_ONE), 2400, 800, 0);
 }
 
-static void pose_relief(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    (void)t;
-    (void)h;
-    put_relief(f, w, &raw);
-}
-
-static void pose_relief_tex(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    (void)t;
-    (void)h;
-    put_relief(f, w, &tex);
-}
+STILL(relief, put_relief(f, w, &raw))
+STILL(relief_tex, put_relief(f, w, &tex))
 
 /* ---- crowd: five such balls, each half behind those before it ---------------------------------------- */
 
@@ -118,19 +92,8 @@ static void put_crowd(struct demo_frame *f, uint16_t w, int back_to_front)
     }
 }
 
-static void pose_crowd_ftb(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    (void)t;
-    (void)h;
-    put_crowd(f, w, 0);
-}
-
-static void pose_crowd_btf(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    (void)t;
-    (void)h;
-    put_crowd(f, w, 1);
-}
+STILL(crowd_ftb, put_crowd(f, w, 0))
+STILL(crowd_btf, put_crowd(f, w, 1))
 
 /* ---- floor_tex: two triangles through the near plane to the horizon, 36,160 samples ---------- */
 
@@ -169,29 +132,13 @@ static void put_layers(struct demo_frame *f, uint16_t w, const uint8_t order[LAY
     }
 }
 
-static void pose_layers_ftb(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    static const uint8_t order[LAYERS] = { 0, 1, 2, 3, 4, 5, 6, 7 };
-    (void)t;
-    (void)h;
-    put_layers(f, w, order);
-}
+static const uint8_t near_to_far[LAYERS] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+static const uint8_t far_to_near[LAYERS] = { 7, 6, 5, 4, 3, 2, 1, 0 };
+static const uint8_t mixed[LAYERS] = { 3, 6, 0, 5, 7, 1, 4, 2 };
 
-static void pose_layers_btf(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    static const uint8_t order[LAYERS] = { 7, 6, 5, 4, 3, 2, 1, 0 };
-    (void)t;
-    (void)h;
-    put_layers(f, w, order);
-}
-
-static void pose_layers_mixed(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
-{
-    static const uint8_t order[LAYERS] = { 3, 6, 0, 5, 7, 1, 4, 2 };
-    (void)t;
-    (void)h;
-    put_layers(f, w, order);
-}
+STILL(layers_ftb, put_layers(f, w, near_to_far))
+STILL(layers_btf, put_layers(f, w, far_to_near))
+STILL(layers_mixed, put_layers(f, w, mixed))
 
 /* ---- sheet: 20,000 tiny triangles, 71,920 samples -------------------------------------------- */
 

@@ -7,6 +7,8 @@
 
 #include "../bench.h"
 
+static const struct gen_rgb black = { 0, 0, 0 }, white = { 255, 255, 255 };
+
 /* Uniform, -n .. n. */
 static int64_t jitter(uint32_t a, uint32_t b, uint32_t seed, int64_t n)
 {
@@ -89,7 +91,6 @@ static void bumpy(void)
  * more where it begins again, and a vertex a triangle at the poles, in its middle. */
 static void bumpy_uv(void)
 {
-    static const struct gen_rgb white = { 255, 255, 255 };
     const uint32_t n = BALL, row = BALL + 1;
     const int64_t one = (int64_t)1 << BALL_UV_BITS;
     struct gen_mesh *m = gen_begin("bumpy_uv");
@@ -178,26 +179,25 @@ static void relief(void)
 }
 
 /* 8 x 8 fields with their names, A1 at the top left: which texel is where can be read. */
+#define FIELD 32
+
+static struct gen_rgb map_at(int64_t x, int64_t y)
+{
+    const int64_t i = x / FIELD, j = y / FIELD;
+    if (x % FIELD == 0 || y % FIELD == 0)
+        return black;
+    const struct gen_rgb c = gen_mix(gen_hue(i * 8192 + j * 1500), (i + j) & 1 ? white : black, 1, 3);
+    return gen_mix(c, black, (x / 4 + y / 4) & 1, 8); /* a fine check in each */
+}
+
 static void map(void)
 {
-    static const struct gen_rgb black = { 0, 0, 0 }, white = { 255, 255, 255 };
-    const int64_t field = 32;
     struct gen_image *im = gen_image("map", 256, 256);
-    for (int64_t y = 0; y < im->h; y++) {
-        for (int64_t x = 0; x < im->w; x++) {
-            const int64_t i = x / field, j = y / field;
-            const struct gen_rgb hue = gen_hue(i * 8192 + j * 1500);
-            struct gen_rgb c = gen_mix(hue, (i + j) & 1 ? white : black, 1, 3);
-            c = gen_mix(c, black, (x / 4 + y / 4) & 1, 8); /* a fine check in each */
-            if (x % field == 0 || y % field == 0)
-                c = black;
-            gen_dot(im, x, y, c);
-        }
-    }
+    gen_paint(im, map_at);
     for (int64_t j = 0; j < 8; j++) {
         for (int64_t i = 0; i < 8; i++) {
             const char name[3] = { (char)('A' + j), (char)('1' + i), '\0' };
-            gen_text(im, i * field + 6, j * field + 10, 2, 2, name, (i + j) & 1 ? black : white);
+            gen_text(im, i * FIELD + 6, j * FIELD + 10, 2, 2, name, (i + j) & 1 ? black : white);
         }
     }
     gen_texture(im, GEN_565, GEN_REPEAT);
@@ -221,7 +221,6 @@ static void plain(void)
 static void layer(void)
 {
     struct gen_mesh *m = gen_begin("layer");
-    const struct gen_rgb white = { 255, 255, 255 };
     for (int64_t side = -1; side <= 1; side += 2) {
         const int64_t z = BENCH_LAYER_Z * (100 + 8 * side) / 100;
         const int64_t x = side * gen_div(z * 105, 200), y = gen_div(z * 105 * 3, 800);

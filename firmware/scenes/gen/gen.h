@@ -100,6 +100,8 @@ struct gen_image *gen_image(const char *name, int64_t w, int64_t h);
 /* What leaves the image comes back at its other side, so that what is drawn can be repeated. */
 void gen_dot(struct gen_image *im, int64_t x, int64_t y, struct gen_rgb rgb);
 void gen_box(struct gen_image *im, int64_t x, int64_t y, int64_t w, int64_t h, struct gen_rgb rgb);
+/* Every texel, by what is at its place. */
+void gen_paint(struct gen_image *im, struct gen_rgb (*at)(int64_t x, int64_t y));
 /* Capitals, digits and what font.c has besides: 5 x 7 dots in cells of 6, each dot wide x high
  * texels. x, y: the top left of the first. */
 void gen_text(struct gen_image *im, int64_t x, int64_t y, int64_t wide, int64_t high,

@@ -12,88 +12,69 @@ static int64_t dice(int64_t x, int64_t y, uint32_t seed, uint32_t n)
     return gen_hash((uint32_t)x, (uint32_t)y, seed) % n;
 }
 
+/* A texture that repeats, square, of n texels each way. */
+static void repeated(const char *name, int64_t n, struct gen_rgb (*at)(int64_t x, int64_t y), enum gen_format format)
+{
+    struct gen_image *im = gen_image(name, n, n);
+    gen_paint(im, at);
+    gen_texture(im, format, GEN_REPEAT);
+}
+
 /* Four tiles in two colours, with joints. */
-static void tiles(void)
+static struct gen_rgb tiles_at(int64_t x, int64_t y)
 {
     static const struct gen_rgb light = { 226, 214, 190 }, dark = { 128, 58, 50 };
     static const struct gen_rgb joint = { 92, 88, 84 };
-    const int64_t tile = 32;
-    struct gen_image *im = gen_image("tiles", 64, 64);
-    for (int64_t y = 0; y < im->h; y++) {
-        for (int64_t x = 0; x < im->w; x++) {
-            const int64_t i = x % tile, j = y % tile;
-            const struct gen_rgb base = (x / tile + y / tile) & 1 ? dark : light;
-            struct gen_rgb c = gen_mix(base, black, dice(x / 2, y / 2, 3, 4), 28);
-            if (i == 1 || j == 1)
-                c = gen_mix(base, white, 1, 4); /* a bevel */
-            gen_dot(im, x, y, i == 0 || j == 0 ? joint : c);
-        }
-    }
-    gen_texture(im, GEN_PAL4, GEN_REPEAT);
+    const int64_t tile = 32, i = x % tile, j = y % tile;
+    const struct gen_rgb base = (x / tile + y / tile) & 1 ? dark : light;
+    if (i == 0 || j == 0)
+        return joint;
+    if (i == 1 || j == 1)
+        return gen_mix(base, white, 1, 4); /* a bevel */
+    return gen_mix(base, black, dice(x / 2, y / 2, 3, 4), 28);
 }
 
 /* Boards along v. */
-static void planks(void)
+static struct gen_rgb planks_at(int64_t x, int64_t y)
 {
     static const struct gen_rgb wood = { 150, 108, 66 }, dark = { 92, 60, 36 };
-    const int64_t board = 16;
-    struct gen_image *im = gen_image("planks", 64, 64);
-    for (int64_t y = 0; y < im->h; y++) {
-        for (int64_t x = 0; x < im->w; x++) {
-            const int64_t n = x / board;
-            const int64_t at[3] = { x * 65536 / 2, y * 65536 / 16, 0 };
-            const int64_t grain = gen_noise(at, 4 * 8, 21 + (uint32_t)n) >> 13; /* 0 .. 7 */
-            struct gen_rgb c = gen_mix(wood, dark, grain + n % 2 * 3, 14);
-            if (x % board == 0 || (y + n * 24) % 64 == 0)
-                c = gen_mix(dark, black, 1, 2);
-            gen_dot(im, x, y, c);
-        }
-    }
-    gen_texture(im, GEN_PAL4, GEN_REPEAT);
+    const int64_t board = 16, n = x / board;
+    const int64_t at[3] = { x * 65536 / 2, y * 65536 / 16, 0 };
+    const int64_t grain = gen_noise(at, 4 * 8, 21 + (uint32_t)n) >> 13; /* 0 .. 7 */
+    if (x % board == 0 || (y + n * 24) % 64 == 0)
+        return gen_mix(dark, black, 1, 2);
+    return gen_mix(wood, dark, grain + n % 2 * 3, 14);
 }
 
+#define BRICKS 128 /* texels each way */
+
 /* Stretchers, half a brick further in every other row. */
-static void bricks(void)
+static struct gen_rgb bricks_at(int64_t x, int64_t y)
 {
     static const struct gen_rgb fired[4] = {
         { 176, 82, 58 }, { 160, 70, 52 }, { 190, 96, 66 }, { 148, 76, 64 },
     };
     static const struct gen_rgb mortar = { 172, 166, 154 };
     const int64_t wide = 32, high = 16;
-    struct gen_image *im = gen_image("bricks", 128, 128);
-    for (int64_t y = 0; y < im->h; y++) {
-        for (int64_t x = 0; x < im->w; x++) {
-            const int64_t row = y / high, along = (x + (row & 1) * wide / 2) % im->w;
-            const int64_t i = along % wide, j = y % high, shade = dice(x, y, 8, 5);
-            const struct gen_rgb base = fired[dice(along / wide, row, 12, 4)];
-            struct gen_rgb c = gen_mix(base, black, shade, 30);
-            if (i == 2 || j == 2)
-                c = gen_mix(base, white, 1, 5);
-            if (i == wide - 1 || j == high - 1)
-                c = gen_mix(base, black, 1, 3);
-            if (i < 2 || j < 2)
-                c = gen_mix(mortar, black, shade, 24);
-            gen_dot(im, x, y, c);
-        }
-    }
-    gen_texture(im, GEN_PAL8, GEN_REPEAT);
+    const int64_t row = y / high, along = (x + (row & 1) * wide / 2) % BRICKS;
+    const int64_t i = along % wide, j = y % high, shade = dice(x, y, 8, 5);
+    const struct gen_rgb base = fired[dice(along / wide, row, 12, 4)];
+    if (i < 2 || j < 2)
+        return gen_mix(mortar, black, shade, 24);
+    if (i == wide - 1 || j == high - 1)
+        return gen_mix(base, black, 1, 3);
+    return i == 2 || j == 2 ? gen_mix(base, white, 1, 5) : gen_mix(base, black, shade, 30);
 }
 
 /* Veins: a wave across, bent by noise; it repeats both ways. */
-static void marble(void)
+static struct gen_rgb marble_at(int64_t x, int64_t y)
 {
     static const struct gen_rgb stone = { 236, 232, 224 }, vein = { 148, 156, 158 };
-    struct gen_image *im = gen_image("marble", 64, 64);
-    for (int64_t y = 0; y < im->h; y++) {
-        for (int64_t x = 0; x < im->w; x++) {
-            const int64_t at[3] = { x * 65536 / 16, y * 65536 / 16, 0 };
-            const int64_t bent = gen_fractal(at, 4, 4, 5);
-            const int64_t wave = gen_sin((x + y) * 1024 + 3 * bent); /* once across */
-            const int64_t near = gen_div(31 * (wave < 0 ? -wave : wave), GEN_Q30);
-            gen_dot(im, x, y, gen_mix(vein, stone, near > 20 ? 20 : near, 20));
-        }
-    }
-    gen_texture(im, GEN_PAL8, GEN_REPEAT);
+    const int64_t at[3] = { x * 65536 / 16, y * 65536 / 16, 0 };
+    const int64_t bent = gen_fractal(at, 4, 4, 5);
+    const int64_t wave = gen_sin((x + y) * 1024 + 3 * bent); /* once across */
+    const int64_t near = gen_div(31 * (wave < 0 ? -wave : wave), GEN_Q30);
+    return gen_mix(vein, stone, near > 20 ? 20 : near, 20);
 }
 
 static void nail(struct gen_image *im, int64_t x, int64_t y)
@@ -138,9 +119,7 @@ static void crate(void)
 {
     static const struct gen_rgb ink = { 60, 40, 30 };
     struct gen_image *im = gen_image("crate", CRATE, CRATE);
-    for (int64_t y = 0; y < CRATE; y++)
-        for (int64_t x = 0; x < CRATE; x++)
-            gen_dot(im, x, y, crate_at(x, y));
+    gen_paint(im, crate_at);
     for (int i = 0; i < 4; i++)
         nail(im, i & 1 ? CRATE - 10 : 7, i & 2 ? CRATE - 10 : 7);
     gen_text(im, 26, 28, 3, 3, "ZS", ink);
@@ -192,10 +171,10 @@ static void sign(void)
 
 void gen_hall_textures(void)
 {
-    tiles();
-    planks();
-    bricks();
-    marble();
+    repeated("tiles", 64, tiles_at, GEN_PAL4);
+    repeated("planks", 64, planks_at, GEN_PAL4);
+    repeated("bricks", BRICKS, bricks_at, GEN_PAL8);
+    repeated("marble", 64, marble_at, GEN_PAL8);
     crate();
     poster();
     sign();

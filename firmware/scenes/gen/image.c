@@ -42,6 +42,13 @@ void gen_box(struct gen_image *im, int64_t x, int64_t y, int64_t w, int64_t h, s
             gen_dot(im, x + i, y + j, rgb);
 }
 
+void gen_paint(struct gen_image *im, struct gen_rgb (*at)(int64_t x, int64_t y))
+{
+    for (int64_t y = 0; y < im->h; y++)
+        for (int64_t x = 0; x < im->w; x++)
+            gen_dot(im, x, y, at(x, y));
+}
+
 void gen_text(struct gen_image *im, int64_t x, int64_t y, int64_t wide, int64_t high,
               const char *text, struct gen_rgb rgb)
 {
