@@ -50,6 +50,13 @@ static void taken_free(struct taken *t)
     free(t->row);
 }
 
+static int both_freed(struct taken t[2], int ok)
+{
+    taken_free(&t[0]);
+    taken_free(&t[1]);
+    return ok;
+}
+
 static void taken_draw(struct easel s, uint32_t log2_w, uint32_t log2_h, uint32_t clamp,
                        const struct easel_tri *t, uint32_t n, struct taken *out)
 {
@@ -135,7 +142,14 @@ struct tally {
     double worst_beyond; /* of the part that the spans explain */
 };
 
-static struct tally tally;
+static struct tally tally; /* of the cases that TALLIED runs */
+
+static void tallied(const char *test, case_fn *fn, uint64_t n)
+{
+    memset(&tally, 0, sizeof tally);
+    cases_run(test, fn, n);
+}
+#define TALLIED(fn, n) tallied(__func__, fn, n)
 
 /* Of a coordinate that lies evenly over a texel, |error| is on average how often the next one is
  * taken. */
@@ -340,8 +354,7 @@ static int border_case(uint64_t seed)
 
 static void less_than_a_texel(void **state)
 {
-    memset(&tally, 0, sizeof tally);
-    CASES(border_case, 300);
+    TALLIED(border_case, 300);
     tally_print("less than a texel");
 }
 
@@ -354,8 +367,7 @@ static void texels_by_ratio_of_w(void **state)
                    { ratio_4, "w ratio 4" },   { ratio_8, "w ratio 8" },
                    { ratio_16, "w ratio 16" }, { ratio_1000, "w ratio 1000" } };
     for (size_t n = 0; n < sizeof ratios / sizeof ratios[0]; n++) {
-        memset(&tally, 0, sizeof tally);
-        cases_run(__func__, ratios[n].fn, 300);
+        TALLIED(ratios[n].fn, 300);
         tally_print(ratios[n].name);
     }
 }
@@ -379,8 +391,7 @@ static int half_texel_case(uint64_t seed)
 
 static void stress_27_uv_at_a_w_ratio_of_16(void **state)
 {
-    memset(&tally, 0, sizeof tally);
-    CASES(half_texel_case, 800);
+    TALLIED(half_texel_case, 800);
     tally_print("stress 27, w ratio 16");
     assert_true(tally.worst <= 0.5);
     assert_true(tally_mean() <= 0.05);
@@ -401,8 +412,7 @@ static int size_case(uint64_t seed)
 
 static void sizes_from_1_to_1024(void **state)
 {
-    memset(&tally, 0, sizeof tally);
-    CASES(size_case, 121 * 3);
+    TALLIED(size_case, 121 * 3);
     tally_print("all sizes");
 }
 
@@ -483,8 +493,7 @@ static int aligned_case(uint64_t seed)
 
 static void repeat_and_clamp_to_the_texel(void **state)
 {
-    memset(&tally, 0, sizeof tally);
-    CASES(aligned_case, 1500);
+    TALLIED(aligned_case, 1500);
     print_message("aligned: %llu coordinates, all in the right texel\n",
                   (unsigned long long)tally.coordinates);
 }
@@ -669,15 +678,12 @@ static int moved_case(uint64_t seed)
                 ok = wrong_at(&s, &t[0], x, y, "moved by whole pixels: texel", f[1].frame.color[b]);
             tally.coordinates += f[0].frame.key[a] != ZS_DEPTH_CLEAR;
         }
-    taken_free(&f[0]);
-    taken_free(&f[1]);
-    return ok;
+    return both_freed(f, ok);
 }
 
 static void moved_by_whole_pixels_the_same_texels(void **state)
 {
-    memset(&tally, 0, sizeof tally);
-    CASES(moved_case, 600);
+    TALLIED(moved_case, 600);
     print_message("moved: %llu pixels, all of the same texel\n",
                   (unsigned long long)tally.coordinates);
     assert_true(!cases_all() || tally.coordinates > 30000);
@@ -726,15 +732,12 @@ static int mirrored_case(uint64_t seed)
                     ok = wrong_at(&s, &t[0], x, y, "mirrored: texel", other);
             }
         }
-    taken_free(&f[0]);
-    taken_free(&f[1]);
-    return ok;
+    return both_freed(f, ok);
 }
 
 static void mirrored_the_same_texels(void **state)
 {
-    memset(&tally, 0, sizeof tally);
-    CASES(mirrored_case, 400);
+    TALLIED(mirrored_case, 400);
     print_message("mirrored: %llu coordinates, %.3f %% in the texel beside\n",
                   (unsigned long long)tally.coordinates,
                   100.0 * (double)tally.one_off / fmax((double)tally.coordinates, 1));
