@@ -167,21 +167,33 @@ static struct zs_row a_row(int32_t n)
     return row;
 }
 
-/* PROVE float_pair_pieces -eva-use-spec=zs_recip: 8 .. 16 bits, exponents of 3 .. 5, every octave, any w and step:
- * either piece */
-void float_pair_pieces(void)
+/* 8 .. 16 bits, exponents of 3 .. 5, the nearest vertex in every octave from `least` on: for each, `of`, with a row of 6
+ * pixels. */
+static void each_nearest(int32_t least, void (*of)(int32_t nearest, const struct zs_row *row))
 {
     const struct zs_row row = a_row(6);
     for (uint32_t bits = 8; bits <= 16; bits++)
         for (uint32_t e = 3; e <= 5; e++) {
             a_view(bits, e);
-            for (int32_t nearest = 2; nearest <= (int32_t)view.key_octaves; nearest++)
-                for (int32_t farther = 0; farther < 2; farther++) {
-                    job.w64_scale = nearest;
-                    job.key.gx = any_u32(0, UINT32_MAX);
-                    pair_piece(&job, &row, row.i0, 6, any_u32(0, UINT32_MAX), farther);
-                }
+            for (int32_t nearest = least; nearest <= (int32_t)view.key_octaves; nearest++)
+                of(nearest, &row);
         }
+}
+
+static void pair_pieces_of(int32_t nearest, const struct zs_row *row)
+{
+    for (int32_t farther = 0; farther < 2; farther++) {
+        job.w64_scale = nearest;
+        job.key.gx = any_u32(0, UINT32_MAX);
+        pair_piece(&job, row, row->i0, 6, any_u32(0, UINT32_MAX), farther);
+    }
+}
+
+/* PROVE float_pair_pieces -eva-use-spec=zs_recip: 8 .. 16 bits, exponents of 3 .. 5, every octave, any w and step:
+ * either piece */
+void float_pair_pieces(void)
+{
+    each_nearest(2, pair_pieces_of);
 }
 
 /* PROVE float_pair_spans -eva-use-spec=pair_piece: every step by octave and sign, 2, 64 and 4096 pixels, any w
@@ -208,21 +220,20 @@ void float_pair_spans(void)
         }
 }
 
+static void pieces_of(int32_t nearest, const struct zs_row *row)
+{
+    for (int32_t down = 1; down <= nearest; down++) {
+        job.w64_scale = nearest;
+        job.w64.gx = any_u64(0, UINT64_MAX);
+        float_piece(&job, row, any_u64(0, UINT64_MAX), down, row->i0, 6);
+    }
+}
+
 /* PROVE float_pieces -eva-use-spec=zs_recip: 8 .. 16 bits, exponents of 3 .. 5, every octave of the nearest vertex
  * and of the piece, any w and step */
 void float_pieces(void)
 {
-    const struct zs_row row = a_row(6);
-    for (uint32_t bits = 8; bits <= 16; bits++)
-        for (uint32_t e = 3; e <= 5; e++) {
-            a_view(bits, e);
-            for (int32_t nearest = 1; nearest <= (int32_t)view.key_octaves; nearest++)
-                for (int32_t down = 1; down <= nearest; down++) {
-                    job.w64_scale = nearest;
-                    job.w64.gx = any_u64(0, UINT64_MAX);
-                    float_piece(&job, &row, any_u64(0, UINT64_MAX), down, row.i0, 6);
-                }
-        }
+    each_nearest(1, pieces_of);
 }
 
 /* PROVE float_bisections -eva-use-spec=zs_recip: 2 .. 9 pixels and up to 4096, any w and step, every number of
