@@ -10,6 +10,7 @@
 
 #include "frame.h"
 #include "error_bound.h"
+#include "one.h"
 #include "prng_log.h"
 #include "reference.h"
 #include "sim.h"
@@ -35,12 +36,7 @@ const struct zs_depth *const sim_exact_depth[SIM_EXACT_MAPPINGS] = {
 /* A mesh whose steps are 256 world units, so that a step is a pixel at EXACT_Z, and pos_lo 1/256
  * px. */
 struct board {
-    struct zs_mesh mesh;
-    struct zs_material material;
-    struct zs_instance instance;
-    struct zs_scene scene;
-    struct zs_camera camera;
-    struct zs_config config;
+    struct sim_one one;
     int16_t pos[MESH_VERTS][3];
     uint8_t pos_lo[MESH_VERTS][3];
     int16_t uv[MESH_VERTS][2];
@@ -52,34 +48,24 @@ struct board {
 
 static void board_open(struct board *b, int mapping)
 {
-    memset(&b->mesh, 0, sizeof b->mesh);
-    b->mesh.pos = (const int16_t(*)[3])b->pos;
-    b->mesh.pos_lo = (const uint8_t(*)[3])b->pos_lo;
-    b->mesh.tri = (const uint16_t(*)[3])b->tri;
-    b->mesh.uv = (const int16_t(*)[2])b->uv;
-    b->mesh.uv_bits = 12;
-    b->mesh.face_raw = b->raw;
-    b->mesh.scale = 256 * ZS_Q16_ONE;
-    b->mesh.radius = 57000;
-    memset(&b->material, 0, sizeof b->material);
-    b->material.shader = &zs_shade_raw;
-    b->material.cull = ZS_CULL_NONE;
-    memset(&b->instance, 0, sizeof b->instance);
-    b->instance.mesh = &b->mesh;
-    b->instance.material = &b->material;
-    zs_pose_identity(&b->instance.pose);
-    memset(&b->scene, 0, sizeof b->scene);
-    b->scene.instance = &b->instance;
-    b->scene.n_instances = 1;
-    sim_frame_config(&b->config, W, H, ZS_VARYINGS_TEXTURE);
-    b->config.depth = sim_exact_depth[mapping];
-    b->config.max_tris = 16;
-    b->config.max_verts = 40;
+    sim_one_open(&b->one, W, H);
+    b->one.mesh.pos = (const int16_t(*)[3])b->pos;
+    b->one.mesh.pos_lo = (const uint8_t(*)[3])b->pos_lo;
+    b->one.mesh.tri = (const uint16_t(*)[3])b->tri;
+    b->one.mesh.uv = (const int16_t(*)[2])b->uv;
+    b->one.mesh.uv_bits = 12;
+    b->one.mesh.face_raw = b->raw;
+    b->one.mesh.scale = 256 * ZS_Q16_ONE;
+    b->one.mesh.radius = 57000;
+    b->one.material.cull = ZS_CULL_NONE;
+    b->one.config.depth = sim_exact_depth[mapping];
+    b->one.config.max_tris = 16;
+    b->one.config.max_verts = 40;
     if (mapping == 5)
-        (void)zs_camera_orthographic(&b->camera, H * 256, EXACT_Z / 2, EXACT_Z << FAR_LOG2);
+        (void)zs_camera_orthographic(&b->one.camera, H * 256, EXACT_Z / 2, EXACT_Z << FAR_LOG2);
     else
-        (void)zs_camera_perspective(&b->camera, 8192, H, EXACT_Z / 2, EXACT_Z << FAR_LOG2);
-    b->camera.focal = (zs_uq32_32)(EXACT_Z / 256) << 32;
+        (void)zs_camera_perspective(&b->one.camera, 8192, H, EXACT_Z / 2, EXACT_Z << FAR_LOG2);
+    b->one.camera.focal = (zs_uq32_32)(EXACT_Z / 256) << 32;
 }
 
 /* A corner at a place on the screen, 1/256 px from its middle, y down; |x|, |y| times 2^far_log2
@@ -87,8 +73,8 @@ static void board_open(struct board *b, int mapping)
  * 2^far_log2. */
 static uint32_t board_vertex(struct board *b, int32_t x, int32_t y, int far_log2, int32_t z)
 {
-    const uint32_t v = b->mesh.n_verts++;
-    const int ortho = b->camera.projection == ZS_ORTHOGRAPHIC, up = ortho ? 0 : far_log2;
+    const uint32_t v = b->one.mesh.n_verts++;
+    const int ortho = b->one.camera.projection == ZS_ORTHOGRAPHIC, up = ortho ? 0 : far_log2;
     const int32_t fine[3] = { x * (1 << up), -y * (1 << up),
                               -(ortho ? z : EXACT_Z * (1 << far_log2)) };
     for (int c = 0; c < 3; c++) {
@@ -104,7 +90,7 @@ static uint32_t board_vertex(struct board *b, int32_t x, int32_t y, int far_log2
 
 static void board_tri(struct board *b, uint32_t a, uint32_t c, uint32_t d)
 {
-    const uint32_t t = b->mesh.n_tris++;
+    const uint32_t t = b->one.mesh.n_tris++;
     b->tri[t][0] = (uint16_t)a;
     b->tri[t][1] = (uint16_t)c;
     b->tri[t][2] = (uint16_t)d;
@@ -191,7 +177,7 @@ static void triangle_make(struct board *b, struct prng *r, int ratio_log2)
     if (shape == FLAT)
         y[1] = y[0] + prng_range(r, -400, 400);
     const int least = (int)prng_pick(r, (uint32_t)(FAR_LOG2 - ratio_log2));
-    b->mesh.n_verts = b->mesh.n_tris = 0;
+    b->one.mesh.n_verts = b->one.mesh.n_tris = 0;
     for (int k = 0; k < 3; k++) {
         int far = least + (k == 0   ? ratio_log2
                            : k == 1 ? 0
@@ -221,12 +207,12 @@ static double exact_key(const struct board *b, const struct ref_depth *depth,
 static void compare_triangle(struct sim_exact_triangles *out, const struct board *b,
                              const struct sim_frame *f, int mapping)
 {
-    const struct ref_depth depth = { sim_truth_mapping(b->config.depth, &b->camera),
-                                     b->config.depth_bits };
-    const double top = ldexp(1, b->config.depth_bits) - 2;
+    const struct ref_depth depth = { sim_truth_mapping(b->one.config.depth, &b->one.camera),
+                                     b->one.config.depth_bits };
+    const double top = ldexp(1, b->one.config.depth_bits) - 2;
     struct ref_camera camera;
     struct edges e;
-    sim_truth_camera(&camera, &b->camera);
+    sim_truth_camera(&camera, &b->one.camera);
     edges_make(&e, b);
     for (int j = 0; j < H; j++)
         for (int i = 0; i < W; i++) {
@@ -253,10 +239,10 @@ int sim_exact_triangles(struct sim_exact_triangles *out, uint64_t seed, uint32_t
         struct sim_frame f;
         const int mapping = (int)(k % SIM_EXACT_MAPPINGS);
         board_open(b, mapping);
-        b->config.depth_bits = (uint8_t)(prng_pick(&r, 2) ? 16 : prng_range(&r, 8, 16));
-        b->config.strip_h = (uint16_t)prng_range(&r, 8, H);
+        b->one.config.depth_bits = (uint8_t)(prng_pick(&r, 2) ? 16 : prng_range(&r, 8, 16));
+        b->one.config.strip_h = (uint16_t)prng_range(&r, 8, H);
         triangle_make(b, &r, (int)prng_pick(&r, FAR_LOG2));
-        err = sim_frame_render(&f, &b->scene, &b->camera, &b->config, NULL);
+        err = sim_frame_render(&f, &b->one.scene, &b->one.camera, &b->one.config, NULL);
         if (!err)
             compare_triangle(out, b, &f, mapping);
         sim_frame_free(&f);
@@ -331,7 +317,7 @@ static void fill_dropped(struct board *b, struct prng *r, const int32_t box[4])
     board_tri(b, 0, 1, 2);
     board_tri(b, 0, 2, 3);
     for (int n = prng_range(r, 1, 1000); n > 0; n--) {
-        const uint32_t at = prng_pick(r, b->mesh.n_tris);
+        const uint32_t at = prng_pick(r, b->one.mesh.n_tris);
         const uint32_t v[3] = { b->tri[at][0], b->tri[at][1], b->tri[at][2] };
         double u = prng_real(r, 0, 1), s = prng_real(r, 0, 1);
         if (u + s > 1) {
@@ -350,7 +336,7 @@ static void fill_dropped(struct board *b, struct prng *r, const int32_t box[4])
                                    turn(b, v[2], v[0], q) };
         if (llabs(parts[0]) + llabs(parts[1]) + llabs(parts[2]) != llabs(whole) || !parts[0] ||
             !parts[1] || !parts[2]) {
-            b->mesh
+            b->one.mesh
                 .n_verts--; /* rounded out of it, or onto its outline: that would be a T-junction */
             continue;
         }
@@ -364,7 +350,7 @@ static void fill_dropped(struct board *b, struct prng *r, const int32_t box[4])
 static int fill_make(struct board *b, struct prng *r, const int32_t box[4])
 {
     const uint32_t kind = prng_pick(r, 4);
-    b->mesh.n_verts = b->mesh.n_tris = 0;
+    b->one.mesh.n_verts = b->one.mesh.n_tris = 0;
     if (kind == 0)
         fill_grid(b, r, box);
     else if (kind == 3)
@@ -465,7 +451,7 @@ static void count_facing(struct sim_exact_edges *out, const struct sim_frame *f,
 /* The rectangle that a tilted mesh fills, as two triangles; *n of them. */
 static struct ref_triangle *outline_make(struct board *b, const int32_t box[4], size_t *n)
 {
-    b->mesh.n_verts = b->mesh.n_tris = 0;
+    b->one.mesh.n_verts = b->one.mesh.n_tris = 0;
     for (int k = 0; k < 4; k++) {
         const uint32_t v = board_vertex(b, box[k == 1 || k == 2 ? 2 : 0], box[k >= 2 ? 3 : 1], 0,
                                         EXACT_Z);
@@ -473,7 +459,7 @@ static struct ref_triangle *outline_make(struct board *b, const int32_t box[4], 
     }
     board_tri(b, 0, 1, 2);
     board_tri(b, 0, 2, 3);
-    return sim_truth_triangles(&b->scene, &b->camera, n);
+    return sim_truth_triangles(&b->one.scene, &b->one.camera, n);
 }
 
 /* Tilted: a crack is a pixel that is missing though the reference draws it and all around it;
@@ -487,7 +473,7 @@ static int count_tilted(struct sim_exact_edges *out, struct board *b, const stru
     const struct ref_depth depth = { REF_DEPTH_RECIP, 16 };
     size_t n;
     struct ref_triangle *tri = outline_make(b, box, &n);
-    sim_truth_camera(&camera, &b->camera);
+    sim_truth_camera(&camera, &b->one.camera);
     const struct sim_judge judge = { tri, &camera, NULL,      &depth,
                                      W,   H,       1.0 / 256, sim_judge_unit(tri, n, &camera) };
     const int err = ref_render(tri, n, &camera, NULL, &depth, 0, W, H, &truth, NULL, NULL);
@@ -521,22 +507,22 @@ static int draw_edges(struct sim_exact_edges *out, struct board *b, uint64_t see
         box[k] = k < 2 ? -reach : reach;
     }
     board_open(b, 0);
-    b->config.max_tris = b->config.max_verts = MESH_TRIS + 200;
-    b->config.strip_h = (uint16_t)prng_range(&r, 1, H);
+    b->one.config.max_tris = b->one.config.max_verts = MESH_TRIS + 200;
+    b->one.config.strip_h = (uint16_t)prng_range(&r, 1, H);
     const int slivers = fill_make(b, &r, box);
     if (tilted) {
-        for (uint32_t v = 0; v < b->mesh.n_verts; v++) /* around the middle of the mesh */
+        for (uint32_t v = 0; v < b->one.mesh.n_verts; v++) /* around the middle of the mesh */
             b->pos[v][2] = b->pos_lo[v][2] = 0;
-        b->camera.z_near = (zs_q48_16)prng_range(&r, 2000, 30000) * 65536;
-        b->instance.pose.pos[2] = -prng_range(&r, 1000, 3 * EXACT_Z);
+        b->one.camera.z_near = (zs_q48_16)prng_range(&r, 2000, 30000) * 65536;
+        b->one.instance.pose.pos[2] = -prng_range(&r, 1000, 3 * EXACT_Z);
         const int32_t yaw = prng_range(&r, -12000, 12000),
                       pitch = prng_range(&r, -12000, 12000);
-        zs_pose_turn(&b->instance.pose, (zs_turn)yaw, (zs_turn)pitch, (zs_turn)prng_next(&r));
+        zs_pose_turn(&b->one.instance.pose, (zs_turn)yaw, (zs_turn)pitch, (zs_turn)prng_next(&r));
     }
-    int err = sim_frame_render(&f, &b->scene, &b->camera, &b->config, NULL);
+    int err = sim_frame_render(&f, &b->one.scene, &b->one.camera, &b->one.config, NULL);
     if (err)
         return sim_exact_refuse(err);
-    err = sim_exact_double_hits(&twice, &b->scene, &b->camera, W, H);
+    err = sim_exact_double_hits(&twice, &b->one.scene, &b->one.camera, W, H);
     out->double_hits += tilted && slivers ? 0 : twice; /* snapping may fold them over each other */
     out->meshes++;
     if (!err && tilted)
@@ -614,13 +600,13 @@ int sim_exact_texels(struct sim_exact_texels *out, uint64_t seed, uint32_t n, ui
         struct sim_frame f;
         board_open(b, (int)(k % SIM_EXACT_MAPPINGS) % 5);
         triangle_make(b, &r, ratio_log2);
-        b->material.shader = &zs_shade_texture;
-        b->material.texture = &texture;
+        b->one.material.shader = &zs_shade_texture;
+        b->one.material.texture = &texture;
         const int32_t span = (int32_t)prng_real_log(&r, 16, 32768); /* a texel to eight repeats */
         for (int v = 0; v < 3; v++)
             for (int axis = 0; axis < 2; axis++)
                 b->uv[v][axis] = (int16_t)prng_range(&r, -span, span - 1);
-        err = sim_frame_render(&f, &b->scene, &b->camera, &b->config, NULL);
+        err = sim_frame_render(&f, &b->one.scene, &b->one.camera, &b->one.config, NULL);
         if (!err)
             compare_texels(out, b, &f);
         sim_frame_free(&f);

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "frame.h"
+#include "one.h"
 #include "prng.h"
 #include "rotation_drift.h"
 #include "sim.h"
@@ -73,12 +73,7 @@ static void describe(size_t i, struct study_text *row)
 /* ---- Scenes ------------------------------------------------------------------------------------------------------ */
 
 struct stage {
-    struct zs_mesh mesh;
-    struct zs_material material;
-    struct zs_instance instance;
-    struct zs_scene scene;
-    struct zs_camera camera;
-    struct zs_config config;
+    struct sim_one one;
     struct zs_texture texture;
     uint16_t texel[256 * 256];
     int16_t pos[VERTS][3];
@@ -90,19 +85,15 @@ struct stage {
 static void stage_begin(struct stage *s)
 {
     memset(s, 0, sizeof *s);
+    sim_one_open(&s->one, W, H);
     for (size_t k = 0; k < TRIS; k++)
         s->raw[k] = (uint16_t)(0x2104u + k * 2654435761u % 0xc000u);
-    s->mesh = (struct zs_mesh){
+    s->one.mesh = (struct zs_mesh){
         .pos = (const int16_t(*)[3])s->pos, .tri = (const uint16_t(*)[3])s->tri, .face_raw = s->raw,
         .scale = ZS_Q16_ONE, .radius = RADIUS + 2
     };
-    s->material = (struct zs_material){ .shader = &zs_shade_raw };
-    s->instance = (struct zs_instance){ .mesh = &s->mesh, .material = &s->material };
-    zs_pose_identity(&s->instance.pose);
-    s->scene = (struct zs_scene){ .instance = &s->instance, .n_instances = 1 };
-    sim_frame_config(&s->config, W, H, ZS_VARYINGS_TEXTURE);
-    s->config.max_tris = s->config.max_verts = 1024;
-    (void)zs_camera_perspective(&s->camera, 8192, H, 1, 2);
+    s->one.config.max_tris = s->one.config.max_verts = 1024;
+    (void)zs_camera_perspective(&s->one.camera, 8192, H, 1, 2);
 }
 
 static int16_t rounded(double v)
@@ -112,7 +103,7 @@ static int16_t rounded(double v)
 
 static void put_triangle(struct stage *s, int a, int b, int c)
 {
-    uint16_t *t = s->tri[s->mesh.n_tris++];
+    uint16_t *t = s->tri[s->one.mesh.n_tris++];
     t[0] = (uint16_t)a;
     t[1] = (uint16_t)b;
     t[2] = (uint16_t)c;
@@ -143,25 +134,25 @@ static void make_ball(struct stage *s)
             if (r < ROWS - 1)
                 put_triangle(s, ball_at(k + 1, r), ball_at(k + 1, r + 1), ball_at(k, r + 1));
         }
-    s->mesh.n_verts = VERTS;
-    zs_pose_turn(&s->instance.pose, 5000, 3500, 900);
+    s->one.mesh.n_verts = VERTS;
+    zs_pose_turn(&s->one.instance.pose, 5000, 3500, 900);
 }
 
 /* A camera on a ball of this radius at this distance: it fills half of the frame's height. */
 static void look(struct stage *s, double radius, double distance, double near_z)
 {
-    s->instance.pose.pos[2] = (int32_t)-distance;
-    s->camera.focal = (zs_uq32_32)(fmin(H / 4.0 * distance / radius, 0x1p31) * 0x1p32);
-    s->camera.z_near = (zs_q48_16)(near_z * 65536);
-    s->camera.z_far = (zs_q48_16)((distance + 1.5 * radius) * 65536);
+    s->one.instance.pose.pos[2] = (int32_t)-distance;
+    s->one.camera.focal = (zs_uq32_32)(fmin(H / 4.0 * distance / radius, 0x1p31) * 0x1p32);
+    s->one.camera.z_near = (zs_q48_16)(near_z * 65536);
+    s->one.camera.z_far = (zs_q48_16)((distance + 1.5 * radius) * 65536);
 }
 
 static void make_scaled(struct stage *s, int value)
 {
     const double radius = RADIUS * ldexp(1, value), distance = fmax(1, floor(4 * radius));
     make_ball(s);
-    s->mesh.scale = value > 15 ? ZS_Q16_ONE << (value - 15) : ZS_Q16_ONE;
-    s->instance.pose.scale = (zs_uq16_16)(ldexp(65536, value > 15 ? 15 : value));
+    s->one.mesh.scale = value > 15 ? ZS_Q16_ONE << (value - 15) : ZS_Q16_ONE;
+    s->one.instance.pose.scale = (zs_uq16_16)(ldexp(65536, value > 15 ? 15 : value));
     look(s, radius, distance, distance - 1.5 * radius);
 }
 
@@ -170,14 +161,14 @@ static void make_distant(struct stage *s, int value)
     make_ball(s);
     look(s, RADIUS, ldexp(RADIUS, value), ldexp(RADIUS, value) - 1.5 * RADIUS);
     if (value > 19)
-        s->instance.pose.pos[2] = -(int32_t)fmin(ldexp(RADIUS, value), 2147483647.0);
+        s->one.instance.pose.pos[2] = -(int32_t)fmin(ldexp(RADIUS, value), 2147483647.0);
 }
 
 /* Radius 2^14 units at 4 radii. */
 static void make_near(struct stage *s, int value)
 {
     make_ball(s);
-    s->instance.pose.scale = 16 * ZS_Q16_ONE;
+    s->one.instance.pose.scale = 16 * ZS_Q16_ONE;
     look(s, RADIUS * 16, RADIUS * 64, RADIUS * 64 * ldexp(1, -value));
 }
 
@@ -205,14 +196,14 @@ static void make_slivers(struct stage *s, int value)
         put_exact(s, 3 * k + 2, x - dx + ex, y - dy + ey, k >> 2 & 1);
         put_triangle(s, 3 * k, 3 * k + 1, 3 * k + 2);
     }
-    s->mesh.pos_lo = (const uint8_t(*)[3])s->pos_lo;
-    s->mesh.n_verts = 3 * SLIVERS;
-    s->mesh.scale = 256 * ZS_Q16_ONE;
-    s->mesh.radius = 2000;
-    s->material.cull = ZS_CULL_NONE;
-    s->camera.focal = (zs_uq32_32)128 << 32;
-    s->camera.z_near = (zs_q48_16)(EXACT_Z / 2) * 65536;
-    s->camera.z_far = (zs_q48_16)(EXACT_Z * 4) * 65536;
+    s->one.mesh.pos_lo = (const uint8_t(*)[3])s->pos_lo;
+    s->one.mesh.n_verts = 3 * SLIVERS;
+    s->one.mesh.scale = 256 * ZS_Q16_ONE;
+    s->one.mesh.radius = 2000;
+    s->one.material.cull = ZS_CULL_NONE;
+    s->one.camera.focal = (zs_uq32_32)128 << 32;
+    s->one.camera.z_near = (zs_q48_16)(EXACT_Z / 2) * 65536;
+    s->one.camera.z_far = (zs_q48_16)(EXACT_Z * 4) * 65536;
 }
 
 static void make_floor(struct stage *s, int value)
@@ -235,15 +226,15 @@ static void make_floor(struct stage *s, int value)
     put_triangle(s, 0, 1, 2);
     put_triangle(s, 0, 2, 3);
     s->texture = (struct zs_texture){ .format = &zs_texel_565, .texel = s->texel, .log2_w = 8, .log2_h = 8 };
-    s->material = (struct zs_material){ .shader = &zs_shade_texture, .cull = ZS_CULL_NONE, .texture = &s->texture };
-    s->mesh.pos_lo = (const uint8_t(*)[3])s->pos_lo;
-    s->mesh.uv = (const int16_t(*)[2])s->uv;
-    s->mesh.uv_bits = 12;
-    s->mesh.n_verts = 4;
-    s->mesh.scale = (zs_uq16_16)(unit * 65536);
-    s->mesh.radius = 50000;
-    s->camera.z_near = (zs_q48_16)(near_end / 2 * 65536);
-    s->camera.z_far = (zs_q48_16)(reach * 2 * 65536);
+    s->one.material = (struct zs_material){ .shader = &zs_shade_texture, .cull = ZS_CULL_NONE, .texture = &s->texture };
+    s->one.mesh.pos_lo = (const uint8_t(*)[3])s->pos_lo;
+    s->one.mesh.uv = (const int16_t(*)[2])s->uv;
+    s->one.mesh.uv_bits = 12;
+    s->one.mesh.n_verts = 4;
+    s->one.mesh.scale = (zs_uq16_16)(unit * 65536);
+    s->one.mesh.radius = 50000;
+    s->one.camera.z_near = (zs_q48_16)(near_end / 2 * 65536);
+    s->one.camera.z_far = (zs_q48_16)(reach * 2 * 65536);
 }
 
 static void make(struct stage *s, const struct run *r)
@@ -277,7 +268,7 @@ static int measure(size_t i, struct study_text *row)
     struct stage *s = sim_alloc(1, sizeof *s);
     struct study_frame f;
     make(s, r);
-    const int err = study_frame_open(&f, &s->scene, &s->camera, &s->config);
+    const int err = study_frame_open(&f, &s->one.scene, &s->one.camera, &s->one.config);
     free(s);
     if (err < -100)
         return sim_refuse(NULL, 0, "study stability: %s %d: a frame is broken (%d)", part_name[r->part], r->value, err);
@@ -435,7 +426,7 @@ static int picture(struct study_page *page, const struct study_table *t)
     struct stage *s = sim_alloc(1, sizeof *s);
     uint8_t *rgb = sim_alloc((size_t)2 * W * H, 3);
     make(s, &runs[worst]);
-    const int err = study_frame_open(&f, &s->scene, &s->camera, &s->config);
+    const int err = study_frame_open(&f, &s->one.scene, &s->one.camera, &s->one.config);
     int status = err ? sim_refuse(NULL, 0, "study stability: %s", zs_error_string(err)) : SIM_OK;
     if (!err) {
         study_sheet_put(rgb, 2 * W, 0, 0, f.rgb565, NULL, W, H);
