@@ -9,8 +9,8 @@
 
 #define LAYERS 8u
 
-static const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
-static const struct zs_material flat = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
+STAGE_PAINT(raw, zs_shade_raw);
+STAGE_PAINT(flat, zs_shade_flat);
 
 static void open_bench(struct demo_frame *f, uint16_t w)
 {

@@ -8,7 +8,7 @@
 
 #define FRAMES 60u
 
-static const struct zs_material walls = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
+STAGE_PAINT(walls, zs_shade_flat);
 static const struct zs_material cars[3] = {
     { .shader = &zs_shade_flat, .rgb = { 235, 60, 60 }, .cull = ZS_CULL_BACK },
     { .shader = &zs_shade_flat, .rgb = { 250, 205, 60 }, .cull = ZS_CULL_BACK },

@@ -9,12 +9,11 @@
 #define AROUND 8u
 #define RADIUS 27500
 
-static const struct zs_material paint = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
+STAGE_PAINT(paint, zs_shade_flat);
 
 static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
     static const struct zs_rgb dusk = { 24, 20, 44 };
-    static const int32_t origin[3] = { 0, 0, 0 };
     stage_open(f, dusk);
     stage_light(f, -4, 8, 7, 40, 72);
 
@@ -33,7 +32,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
                      (zs_turn)(3u * phase + stage_turn(t, FRAMES, i & 1u ? 1u : 2u)));
     }
     stage_lens(f, 7300, w, h, 20000, 220000);
-    zs_camera_orbit(&f->camera, origin, 100000, 2000, 4400);
+    zs_camera_orbit(&f->camera, stage_origin, 100000, 2000, 4400);
 }
 
 STAGE_DEMO(cubes, "Nine cubes tumble around each other, flat-shaded, a colour a side",

@@ -10,7 +10,7 @@
 #define FRAMES 60u
 #define HEIGHT 1250 /* of the eye, steps; the river lies at 260 */
 
-static const struct zs_material ground = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
+STAGE_PAINT(ground, zs_shade_flat);
 
 /* The river's middle at z; the mesh's own z begins at -LAND_PERIOD / 2. */
 static int32_t river(int32_t z)

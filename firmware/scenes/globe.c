@@ -15,7 +15,6 @@ STAGE_COVER(stars, zs_shade_texture, texture_stars);
 static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
     static const struct zs_rgb black = { 0, 0, 0 };
-    static const int32_t origin[3] = { 0, 0, 0 };
     const zs_turn turn = stage_turn(t, FRAMES, 1), orbit = (zs_turn)(turn + 58800u);
     stage_open(f, black);
     stage_light(f, 6, 3, 4, 7, 100);
@@ -25,7 +24,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
                  orbit, 0, 0);
     stage_put(f, &mesh_sky, &stars, 0, 0, 0, ZS_Q16_ONE * 16u);
     stage_lens(f, 8200, w, h, 20000, 1200000);
-    zs_camera_orbit(&f->camera, origin, 116000, 0, 2600);
+    zs_camera_orbit(&f->camera, stage_origin, 116000, 0, 2600);
 }
 
 STAGE_DEMO(globe, "A planet and its moon under the stars, smooth light over textures of three sizes",

@@ -7,17 +7,16 @@
 
 #define FRAMES 60u
 
-static const struct zs_material ribbon = { .shader = &zs_shade_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
+STAGE_PAINT(ribbon, zs_shade_smooth);
 
 static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
     static const struct zs_rgb black = { 10, 12, 20 };
-    static const int32_t origin[3] = { 0, 0, 0 };
     stage_open(f, black);
     stage_light(f, -5, 7, 5, 36, 80);
     stage_put(f, &mesh_knot, &ribbon, 0, 0, 0, ZS_Q16_ONE);
     stage_lens(f, 8000, w, h, 10000, 120000);
-    zs_camera_orbit(&f->camera, origin, 40000, stage_turn(t, FRAMES, 1),
+    zs_camera_orbit(&f->camera, stage_origin, 40000, stage_turn(t, FRAMES, 1),
                     (int16_t)stage_sin(5200, stage_turn(t, FRAMES, 1)));
 }
 

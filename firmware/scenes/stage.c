@@ -4,6 +4,8 @@
  */
 #include "stage.h"
 
+const int32_t stage_origin[3] = { 0, 0, 0 };
+
 void stage_open(struct demo_frame *f, struct zs_rgb background)
 {
     const struct zs_scene none = { .instance = f->instance };

@@ -16,6 +16,12 @@
 /* Begin: no instances, this background. */
 void stage_open(struct demo_frame *f, struct zs_rgb background);
 
+/* What cameras turn around in most scenes: 0, 0, 0. */
+extern const int32_t stage_origin[3];
+
+/* A material whose colours are those of the mesh. */
+#define STAGE_PAINT(name, shade) \
+    static const struct zs_material name = { .shader = &shade, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK }
 /* A material that is a texture and nothing else. */
 #define STAGE_COVER(name, shade, image) \
     static const struct zs_material name = { .shader = &shade, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK, \

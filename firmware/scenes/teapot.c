@@ -10,7 +10,7 @@
 static const struct zs_material glaze = { .shader = &zs_shade_smooth, .rgb = { 255, 158, 74 }, .cull = ZS_CULL_BACK };
 STAGE_COVER(china, zs_shade_texture_smooth, texture_glaze);
 static const struct zs_material liquid = { .shader = &zs_shade_smooth, .rgb = { 92, 40, 16 }, .cull = ZS_CULL_BACK };
-static const struct zs_material wood = { .shader = &zs_shade_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
+STAGE_PAINT(wood, zs_shade_smooth);
 
 static void set(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h, const struct zs_material *pot)
 {
