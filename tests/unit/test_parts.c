@@ -14,6 +14,7 @@
 #include "internals.h"
 #include "picture.h"
 #include "shapes.h"
+#include "things.h"
 
 #define W 64
 #define H 120
@@ -21,11 +22,7 @@
 
 static struct {
     struct shape shape[2];
-    struct zs_material material[INSTANCES];
-    struct zs_instance instance[INSTANCES];
-    struct zs_scene scene;
-    struct zs_camera camera;
-    struct zs_config config;
+    struct things of;
 } world;
 
 static void exchange(struct shape *s, uint32_t a, uint32_t b)
@@ -57,24 +54,18 @@ static uint32_t world_open(struct prng *p)
     shape_ground(&world.shape[1], 10 + prng_pick(p, 20), 4000, 900, prng_next(p));
     for (int k = 0; k < 2; k++)
         reorder(&world.shape[k], p, how);
-    world.scene.instance = world.instance;
-    world.scene.n_instances = n;
     for (uint32_t k = 0; k < n; k++) {
-        struct zs_instance *in = &world.instance[k];
-        world.material[k].shader = prng_pick(p, 2) ? &zs_shade_raw : &zs_shade_smooth;
-        world.material[k].cull = (uint8_t)(prng_pick(p, 3) ? ZS_CULL_BACK : ZS_CULL_NONE);
-        in->mesh = &world.shape[prng_pick(p, 2)].mesh;
-        in->material = &world.material[k];
-        zs_pose_identity(&in->pose);
-        zs_pose_turn(&in->pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), 0);
+        world.of.material[k].shader = prng_pick(p, 2) ? &zs_shade_raw : &zs_shade_smooth;
+        world.of.material[k].cull = (uint8_t)(prng_pick(p, 3) ? ZS_CULL_BACK : ZS_CULL_NONE);
+        struct zs_instance *in = things_add(&world.of, &world.shape[prng_pick(p, 2)].mesh, p);
         in->pose.pos[0] = prng_range(p, -1500, 1500);
         in->pose.pos[1] = prng_range(p, -2500, 2500);
         in->pose.pos[2] = -prng_range(p, 4000, 14000); /* some are cut at near */
     }
-    world.config = picture_config(W, H, &zs_depth_e4m12);
-    world.config.strip_h = (uint16_t)prng_range(p, 3, 20);
-    world.config.fast = fast_of(FAST_ALL & ~FAST_TILES);
-    (void)zs_camera_perspective(&world.camera, 9000, H, 300, 30000);
+    world.of.config = picture_config(W, H, &zs_depth_e4m12);
+    world.of.config.strip_h = (uint16_t)prng_range(p, 3, 20);
+    world.of.config.fast = fast_of(FAST_ALL & ~FAST_TILES);
+    (void)zs_camera_perspective(&world.of.camera, 9000, H, 300, 30000);
     return how;
 }
 
@@ -92,12 +83,12 @@ static uint32_t arena[200000];
 /* Bin the frame in ample pools. */
 static int look(void)
 {
-    struct zs_config c = world.config;
+    struct zs_config c = world.of.config;
     struct zs_strip strip;
     c.max_tris = c.max_verts = TRIS_MAX;
     assert_true(zs_arena_bytes(&c) <= sizeof arena);
     CASE_CHECK(zs_init(&r, &c, arena, sizeof arena) == ZS_OK);
-    CASE_CHECK(zs_frame_begin(&r, &world.scene, &world.camera) == ZS_OK &&
+    CASE_CHECK(zs_frame_begin(&r, &world.of.scene, &world.of.camera) == ZS_OK &&
                zs_frame_strip(&r, &strip) == 1);
     n_tris = r.n_tris;
     n_verts = r.n_verts;
@@ -137,7 +128,7 @@ static int holds(uint32_t s, uint32_t end, uint32_t tris, uint32_t verts)
 
 static uint32_t fewest(uint32_t tris, uint32_t verts)
 {
-    const uint32_t strips = (H + world.config.strip_h - 1u) / world.config.strip_h;
+    const uint32_t strips = (H + world.of.config.strip_h - 1u) / world.of.config.strip_h;
     uint32_t n = 0;
     for (uint32_t s = 0, end; s < strips; s = end) {
         for (end = s + 1u; end < strips && holds(s, end + 1u, tris, verts); end++)
@@ -153,7 +144,7 @@ static uint32_t walks_of(const struct zs_config *c)
     struct zs_strip strip;
     uint32_t n = 0;
     assert_true(zs_init(&r, c, arena, sizeof arena) == ZS_OK);
-    assert_true(zs_frame_begin(&r, &world.scene, &world.camera) == ZS_OK);
+    assert_true(zs_frame_begin(&r, &world.of.scene, &world.of.camera) == ZS_OK);
     do
         n += r.strip < r.n_strips && r.strip >= r.band_end;
     while (zs_frame_strip(&r, &strip) == 1);
@@ -178,11 +169,11 @@ static int few_case(uint64_t seed)
         return 1;
     const uint32_t tris = n_tris / (1u + prng_pick(&p, 8)) + 1u + prng_pick(&p, 60);
     const uint32_t verts = tris * (uint32_t)prng_range(&p, 60, 120) / 100u + 3u;
-    struct picture ample = picture_draw(&world.config, &world.scene, &world.camera);
-    struct zs_config c = world.config;
+    struct picture ample = picture_draw(&world.of.config, &world.of.scene, &world.of.camera);
+    struct zs_config c = world.of.config;
     c.max_tris = (uint16_t)tris;
     c.max_verts = (uint16_t)verts;
-    struct picture f = picture_draw(&c, &world.scene, &world.camera);
+    struct picture f = picture_draw(&c, &world.of.scene, &world.of.camera);
     const uint32_t least = fewest(tris, verts), walks = walks_of(&c);
     int ok = picture_same(&ample, &f, "small pools") && stats_add_up(&f.stats) &&
              f.stats.tris_drawn == ample.stats.tris_drawn &&

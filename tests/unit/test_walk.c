@@ -11,6 +11,7 @@
 #include "internals.h"
 #include "picture.h"
 #include "shapes.h"
+#include "things.h"
 
 #define W 70
 #define H 50
@@ -139,11 +140,7 @@ static int guard_case(uint64_t seed)
 static struct {
     struct shape shape[3];
     struct zs_cluster cluster[3][SHAPE_TRIS];
-    struct zs_material material[INSTANCES];
-    struct zs_instance instance[INSTANCES];
-    struct zs_scene scene;
-    struct zs_camera camera;
-    struct zs_config config;
+    struct things of;
 } world;
 
 /* The eye is among what it sees: all outcomes are met. Of two instances in one place, keys are equal. */
@@ -158,29 +155,24 @@ static void world_open(struct prng *p, int clusters)
     shape_ground(&world.shape[2], 2 + prng_pick(p, 6), 9000, 700, prng_next(p));
     for (int n = 0; clusters && n < 3; n++)
         clusters_make(&world.shape[n].mesh, world.cluster[n], p, 1 + prng_pick(p, 12), 0);
-    world.scene.instance = world.instance;
-    world.scene.n_instances = INSTANCES;
-    world.scene.light.dir[2] = ZS_Q30_ONE;
-    world.scene.light.ambient = ZS_Q16_ONE / 4;
-    world.scene.light.diffuse = ZS_Q16_ONE / 2;
+    world.of.scene.light.dir[2] = ZS_Q30_ONE;
+    world.of.scene.light.ambient = ZS_Q16_ONE / 4;
+    world.of.scene.light.diffuse = ZS_Q16_ONE / 2;
     for (uint32_t n = 0; n < INSTANCES; n++) {
-        struct zs_instance *in = &world.instance[n];
-        world.material[n].shader = shaders[prng_pick(p, 3)];
-        world.material[n].rgb.g = (uint8_t)(50 * n);
-        world.material[n].cull = (uint8_t)prng_pick(p, 3);
-        in->mesh = &world.shape[prng_pick(p, 3)].mesh;
-        in->material = &world.material[n];
-        zs_pose_identity(&in->pose);
-        zs_pose_turn(&in->pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), 0);
+        world.of.material[n].shader = shaders[prng_pick(p, 3)];
+        world.of.material[n].rgb.g = (uint8_t)(50 * n);
+        world.of.material[n].cull = (uint8_t)prng_pick(p, 3);
+        struct zs_instance *in = things_add(&world.of, &world.shape[prng_pick(p, 3)].mesh, p);
         for (int k = 0; k < 3; k++)
             in->pose.pos[k] = prng_range(p, -6000, 6000);
         if (n && !prng_pick(p, 3)) {
-            in->mesh = world.instance[n - 1].mesh;
-            in->pose = world.instance[n - 1].pose;
+            in->mesh = world.of.instance[n - 1].mesh;
+            in->pose = world.of.instance[n - 1].pose;
         }
     }
-    world.config = picture_config(W, H, depths[prng_pick(p, 4)]);
-    (void)zs_camera_perspective(&world.camera, (zs_turn)prng_range(p, 3000, 14000), H, prng_range(p, 20, 1500), 12000);
+    world.of.config = picture_config(W, H, depths[prng_pick(p, 4)]);
+    (void)zs_camera_perspective(&world.of.camera, (zs_turn)prng_range(p, 3000, 14000), H, prng_range(p, 20, 1500),
+                                12000);
 }
 
 static uint32_t passes, out, clipped, most_used;
@@ -188,10 +180,10 @@ static uint32_t passes, out, clipped, most_used;
 /* The frame of the world as it is, by a list of accelerators and pools of so many: as ample pools draw it. */
 static int as_ample(const struct picture *plain, struct zs_config c, uint32_t tris, uint32_t verts)
 {
-    struct picture ample = picture_draw(&c, &world.scene, &world.camera);
+    struct picture ample = picture_draw(&c, &world.of.scene, &world.of.camera);
     c.max_tris = (uint16_t)tris;
     c.max_verts = (uint16_t)verts;
-    struct picture f = picture_draw(&c, &world.scene, &world.camera);
+    struct picture f = picture_draw(&c, &world.of.scene, &world.of.camera);
     const int all = !c.fast; /* what is hidden depends on what was binned before, what is untouched on sets */
     int ok = picture_same(plain, &ample, "ample pools") && picture_same(plain, &f, "small pools") &&
              stats_add_up(&f.stats) && counts_same(&ample.stats, &f.stats, all ? FIELDS : FIELDS_OF_SCENE);
@@ -211,11 +203,11 @@ static int scene_of(uint64_t seed, int clusters)
                                          { 300, 3 }, { 2, 7 }, { 5, 9 }, { 40, 30 } };
     struct prng p = { seed };
     world_open(&p, clusters);
-    world.config.fast = NULL;
-    struct picture plain = picture_draw(&world.config, &world.scene, &world.camera);
+    world.of.config.fast = NULL;
+    struct picture plain = picture_draw(&world.of.config, &world.of.scene, &world.of.camera);
     int ok = plain.err == ZS_OK;
     for (uint32_t k = 0; k < 4 && ok; k++) {
-        struct zs_config c = world.config;
+        struct zs_config c = world.of.config;
         const uint16_t *pool = pools[prng_pick(&p, sizeof pools / sizeof pools[0])];
         const struct zs_fast *const *const lists[2][4] = {
             { NULL, NULL, fast_all, fast_any(&p) },
