@@ -167,8 +167,8 @@ static struct zs_row a_row(int32_t n)
     return row;
 }
 
-/* 8 .. 16 bits, exponents of 3 .. 5, the nearest vertex in every octave from `least` on: for each, `of`, with a row of 6
- * pixels. */
+/* 8 .. 16 bits, exponents of 3 .. 5, the nearest vertex in every octave from `least` on: for each, `of`, with a row of
+ * 6 pixels. */
 static void each_nearest(int32_t least, void (*of)(int32_t nearest, const struct zs_row *row))
 {
     const struct zs_row row = a_row(6);
