@@ -79,12 +79,10 @@ static void ball_draw(const struct zs_item *item, const struct zs_target *target
     }
 }
 
+/* Those of a disc that is drawn as an arc. */
 static void ball_bounds(const struct zs_item *item, int32_t box[4])
 {
-    box[0] = item->x - item->w;
-    box[1] = item->y - item->w;
-    box[2] = item->x + item->w + 1;
-    box[3] = item->y + item->w + 1;
+    zs_item_arc.bounds(item, box);
 }
 
 static const struct zs_item_kind ball = { .draw = ball_draw, .bounds = ball_bounds };
