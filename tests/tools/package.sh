@@ -134,7 +134,8 @@ done
 # CMake's functions of ESP-IDF and of the pico-sdk. The library is compiled with the same options for both, so that
 # ccache has it for the second: the consumer's folders are of its own files, and 3 varyings are what is not named
 mkdir -p idf pico
-own="set_source_files_properties(../run_none.c ../spinning_cube.c ../stub.c PROPERTIES INCLUDE_DIRECTORIES \"$work;$work/stubs\")"
+own="set_source_files_properties(../run_none.c ../spinning_cube.c ../stub.c
+    PROPERTIES INCLUDE_DIRECTORIES \"$work;$work/stubs\")"
 cat >idf/CMakeLists.txt <<END
 cmake_minimum_required(VERSION 3.14)
 project(idf C)
