@@ -1284,6 +1284,134 @@ static void sizes_are_wrong(void **state)
     CHECK_ALL(sizes);
 }
 
+/* ---- More that is refused, and why nothing of an instance is drawn ----------------------------- */
+
+/* The sphere of its mesh, of which a part is in view, reaches farther than its triangles. */
+static void sphere_of_4(struct world *w)
+{
+    w->cube.radius = 4;
+}
+
+/* A sliver of 3 px between the samples. */
+static void sliver(struct world *w)
+{
+    static const int16_t pos[3][3] = { { -200, -200, 0 }, { 200, 200, 0 }, { 203, 197, 0 } };
+    static const uint16_t tri[1][3] = { { 0, 2, 1 } };
+    w->sheet.pos = pos;
+    w->sheet.tri = tri;
+    w->sheet.n_verts = 3;
+    w->sheet.n_tris = 1;
+    w->sheet.radius = 284;
+    w->sheet.scale = ZS_Q16_ONE * 6 / 10;
+    w->instance[0].mesh = &w->sheet;
+    w->instance[0].pose.pos[0] = 30;
+    zs_pose_turn(&w->instance[0].pose, 0, 0, 0);
+}
+
+/* 3,200 triangles on a few pixels. */
+static int16_t dense_pos[41 * 41][3];
+static uint16_t dense_tri[3200][3];
+static void dense(struct world *w)
+{
+    for (int v = 0; v < 41 * 41; v++) {
+        dense_pos[v][0] = (int16_t)(v % 41 * 20 - 400);
+        dense_pos[v][2] = (int16_t)(v / 41 * 20 - 400);
+    }
+    for (int t = 0; t < 3200; t++) {
+        const int v = t / 2 / 40 * 41 + t / 2 % 40;
+        const int of[2][3] = { { v, v + 41, v + 42 }, { v, v + 42, v + 1 } };
+        for (int k = 0; k < 3; k++)
+            dense_tri[t][k] = (uint16_t)of[t % 2][k];
+    }
+    w->sheet.pos = (const int16_t(*)[3])dense_pos;
+    w->sheet.tri = (const uint16_t(*)[3])dense_tri;
+    w->sheet.n_verts = 41 * 41;
+    w->sheet.n_tris = 3200;
+    w->sheet.scale = ZS_Q16_ONE * 7 / 4;
+    w->instance[0].mesh = &w->sheet;
+    w->config.max_tris = w->config.max_verts = 4000;
+}
+
+static const struct zs_depth_state func_9 = { .func = 9 };
+MAKE(projection_7, w->camera.projection = 7)
+MAKE(height_0, w->camera.height = 0)
+MAKE(eye_beyond, w->camera.pos[1] = INT32_MIN)
+MAKE(state_9, w->instance[0].depth_state = &func_9)
+MAKE(verts_70000, w->cube.n_verts = 70000)
+MAKE(instances_70000, w->scene.n_instances = 70000)
+MAKE(pos_null, w->cube.pos = NULL)
+MAKE(tri_null, w->cube.tri = NULL)
+MAKE(texture_null, w->red.texture = NULL)
+MAKE(diffuse_256, w->scene.light.diffuse = 256 * ZS_Q16_ONE)
+MAKE(eye_beyond_orthographic, w->camera.pos[0] = INT32_MAX)
+MAKE(height_most, w->camera.height = INT64_MAX)
+MAKE(subpixel_5, w->config.subpixel_bits = 5)
+MAKE(depth_bits_7, w->config.depth_bits = 7)
+MAKE(light_dir_orthographic, w->scene.light.dir[0] = INT32_MAX)
+MAKE(all_near, sphere_of_4(w); w->camera.z_near = 7300 << 16)
+MAKE(all_far, sphere_of_4(w); w->camera.z_far = 3000 << 16)
+MAKE(all_beside, sphere_of_4(w); w->instance[0].pose.pos[0] = 5500)
+MAKE(away_or_beside, all_beside(w); w->cube.n_tris = 6)
+MAKE(a_pixel_orthographic, with_orthographic(w); w->instance[0].pose.scale = ZS_Q16_ONE / 40)
+
+static const struct mistake more_refused[] = {
+    { "projection", NULL, projection_7, ZS_ERR_CAMERA, "the camera is refused: projection is 7.\n" },
+    { "height 0", with_orthographic, height_0, ZS_ERR_CAMERA, "the camera is refused: its height is 0: zs_camera_o" },
+    { "the eye", NULL, eye_beyond, ZS_ERR_RANGE, "the camera is refused: pos is 0 -2147483648 4500, and" },
+    { "func", NULL, state_9, ZS_ERR_RANGE, I0 " is refused: depth_state.func is 9.\n" },
+    { "n_verts", NULL, verts_70000, ZS_ERR_MESH, I0 " is refused: mesh.n_verts is 70000, and 65535 is the most.\n" },
+    { "n_instances", NULL, instances_70000, ZS_ERR_SIZE, "scene.n_instances is 70000, and 65535 is the most.\n" },
+    { "pos NULL", NULL, pos_null, ZS_ERR_MESH, I0 " is refused: mesh.pos is NULL.\n" },
+    { "tri NULL", NULL, tri_null, ZS_ERR_MESH, I0 " is refused: mesh.tri is NULL.\n" },
+    { "texture NULL", textured, texture_null, ZS_ERR_NULL,
+      I0 " is refused: its shader needs what is NULL: material.texture, or more of its" },
+    { "diffuse", NULL, diffuse_256, ZS_ERR_RANGE, "the light is refused: ambient is *, diffuse is 16777216" },
+    { "the eye, orthographic", with_orthographic, eye_beyond_orthographic, ZS_ERR_RANGE,
+      "the camera is refused: pos is 2147483647 2500 4500, and" },
+    { "height, the most", with_orthographic, height_most, ZS_ERR_CAMERA, "the camera is refused: its height is " },
+    { "light.dir, orthographic", with_orthographic, light_dir_orthographic, ZS_ERR_RANGE, "the light is refused: its" },
+    { "subpixel_bits", NULL, subpixel_5, ZS_ERR_SIZE, "config.subpixel_bits is 5: it takes 8, or 4.\n" },
+    { "depth_bits", NULL, depth_bits_7, ZS_ERR_DEPTH, "config.depth_bits is 7: it takes 8 to 16.\n" },
+    { "before near", NULL, all_near, 0, I0 ": 12 of 12 triangles lie before near = 7300: move it away, or lower" },
+    { "beyond far", NULL, all_far, 0, I0 ": 12 of 12 triangles lie beyond far = 3000: move it, or raise far.\n" },
+    { "beside", NULL, all_beside, 0, I0 ": * of 12 triangles lie beside the picture, * face away: zs_camera_look_at" },
+    { "away or beside", NULL, away_or_beside, 0, I0 ": 4 of 6 triangles face away, 2 lie beside the picture.\n" },
+    { "a sliver", NULL, sliver, 0, I0 " is * px across and * ahead: raise its scale, or move it nearer.\n" },
+    { "a pixel, orthographic", NULL, a_pixel_orthographic, 0,
+      I0 ": * of 12 triangles are smaller than a pixel: it is * px across; raise its scale" },
+    { "dense", NULL, dense, 0, "* triangles in view are smaller than a pixel: take a mesh of fewer.\n" },
+};
+
+static void more_is_refused(void **state)
+{
+    CHECK_ALL(more_refused);
+}
+
+/* zs_init, and what it is given. */
+static void set_up_is_refused(void **state)
+{
+    (void)state;
+    static uint32_t arena[20000];
+    static const char *const because[] = { "the renderer is NULL.\n", "config is NULL.\n", "arena is NULL.\n",
+                                           "the arena is not aligned to 4 bytes: ZS_ARENA defines one that is.\n" };
+    struct zs_renderer r;
+    struct world w;
+    struct words words;
+    world_cube(&w);
+    for (unsigned k = 0; k < 4; k++) {
+        void *const at = k == 2 ? NULL : k == 3 ? (char *)arena + 2 : (char *)arena;
+        memset(&words, 0, sizeof words);
+        const uint32_t said = zs_explain_init(k == 0 ? NULL : &r, k == 1 ? NULL : &w.config, at, sizeof arena - 4,
+                                              hear, &words);
+        assert_int_equal(said, 1);
+        assert_string_equal(words.text, because[k]);
+    }
+    memset(&words, 0, sizeof words);
+    assert_int_equal(zs_explain_init_build(&r, &w.config, arena, sizeof arena, hear, &words, ZS_BUILD + 1u), 1);
+    assert_true(begins(words.text, "zs_init refuses: "));
+    assert_non_null(strstr(words.text, zs_error_string(ZS_ERR_BUILD)));
+}
+
 /* ---- Mistakes in parts, while the rest is right ----------------------------------------------- */
 
 static void two_apart(struct world *w)
@@ -1965,6 +2093,14 @@ static void damage_tracking_is_explained(void **state)
             else if (frame == 2)
                 assert_true(begins(words.text, stale));
         }
+        world_two(&w);
+        w.instance[2] = w.instance[0];
+        w.instance[2].pose.pos[0] = -900;
+        w.scene.n_instances = 3; /* the memory is for two */
+        struct words words = { .n = 0 };
+        assert_int_not_equal(zs_render(&r, &w.scene, &w.camera, &w.sink), ZS_OK);
+        assert_int_equal(zs_explain(&r, &w.scene, &w.camera, hear, &words), 1);
+        assert_string_equal(words.text, "zs_damage_track has memory for 2 instances, and n_instances is 3.\n");
     }
 }
 
@@ -2106,6 +2242,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(errors_name_the_thing),
     cmocka_unit_test(more_mistakes),
     cmocka_unit_test(sizes_are_wrong),
+    cmocka_unit_test(more_is_refused),
+    cmocka_unit_test(set_up_is_refused),
     cmocka_unit_test(parts_of_it_are_wrong),
     cmocka_unit_test(damage_tracking_is_explained),
     cmocka_unit_test(no_accelerators),

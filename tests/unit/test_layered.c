@@ -16,6 +16,7 @@
 #include "zs_filter.h"
 #include "zs_fog.h"
 #include "zs_lights.h"
+#include "zs_method.h"
 #include "zs_shadow.h"
 
 #define W 72
@@ -177,21 +178,29 @@ static int same_case(uint64_t seed)
         { &zs_shade_texture_smooth, { &zs_blend_texture_smooth, &zs_add_texture_smooth, &zs_stipple_texture_smooth } },
     };
     static const struct zs_layer_kind *const kinds[] = { &zs_layer_mix, &zs_layer_add, &zs_layer_door };
+    static const struct {
+        const struct zs_method *method;
+        const struct zs_depth *depth; /* NULL: any */
+    } by[] = { { &zs_method_transparent, NULL }, { &zs_method_painter, &zs_depth_none },
+               { &zs_method_depthsort, &zs_depth_order } };
     struct prng p = { seed };
     static struct place s;
     static struct zs_layered layer;
     CASE_CHECK(place_make(&s, &p) == ZS_OK);
-    const uint32_t k = prng_pick(&p, 4), kind = prng_pick(&p, 3);
+    const uint32_t k = prng_pick(&p, 4), kind = prng_pick(&p, 3), m = (uint32_t)(seed % 3);
+    if (by[m].depth)
+        s.config.depth = by[m].depth;
     const uint8_t alpha = (uint8_t)prng_next(&p), phase = (uint8_t)prng_pick(&p, 64);
     struct zs_blend blend = { .material = s.material.material, .alpha = alpha, .phase = phase };
     blend.material.shader = plain[k].family[kind];
     s.thing[1].material = &blend.material;
-    struct picture want = drawn(&s, &p, &zs_method_transparent, 0);
+    struct picture want = drawn(&s, &p, by[m].method, 0);
     CASE_CHECK(zs_layered_set(&layer, plain[k].of, kinds[kind], alpha) == ZS_OK);
     layer.phase = phase;
     s.material.material.shader = &layer.shader;
     s.thing[1].material = &s.material.material;
-    struct picture is = drawn(&s, &p, &zs_method_transparent, 1);
+    struct picture is = drawn(&s, &p, by[m].method, 1);
+    CASE_CHECK(want.err == ZS_OK);
     return picture_drawn_alike(&want, &is, "the plain family");
 }
 
@@ -425,7 +434,7 @@ static void refusals(void **state)
 }
 
 static const struct CMUnitTest tests[] = { CASES_TEST(layers, layer_case, 150),
-                                          CASES_TEST(as_the_plain_families, same_case, 80),
+                                          CASES_TEST(as_the_plain_families, same_case, 240),
                                           cmocka_unit_test(user_fragment),
                                           CASES_TEST(filters, filter_case, 80),
                                           CASES_TEST(filters_of_one_color, one_color_case, 60),

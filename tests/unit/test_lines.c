@@ -530,6 +530,7 @@ static int edges_case(uint64_t seed)
 {
     struct prng p = { seed };
     int16_t pos[12][3];
+    uint8_t lo[12][3] = { { 0 } }; /* every other mesh: the column of a place is in the low bytes alone */
     uint16_t tri[20][3];
     struct zs_mesh_edge edge[60];
     unsigned sides[12][12] = { { 0 } }, found = 0;
@@ -538,11 +539,12 @@ static int edges_case(uint64_t seed)
     for (uint32_t v = 0; v < 12; v++) {
         const uint32_t at = prng_pick(&p, 9);
         place[v] = v;
-        pos[v][0] = (int16_t)(at % 3);
+        pos[v][0] = (int16_t)(seed % 2 ? 0 : at % 3);
+        lo[v][0] = (uint8_t)(seed % 2 ? at % 3 : 0);
         pos[v][1] = (int16_t)-(at / 3);
         pos[v][2] = 5;
         for (uint32_t u = v; u > 0; u--)
-            if (!memcmp(pos[u - 1], pos[v], sizeof pos[v]))
+            if (!memcmp(pos[u - 1], pos[v], sizeof pos[v]) && lo[u - 1][0] == lo[v][0])
                 place[v] = u - 1;
     }
     for (uint32_t k = 0; k < 3 * n; k++)
@@ -563,7 +565,7 @@ static int edges_case(uint64_t seed)
         }
     }
     const struct zs_mesh mesh = { .pos = (const int16_t (*)[3])pos, .tri = (const uint16_t (*)[3])tri, .n_verts = 12,
-                                  .n_tris = n };
+                                  .n_tris = n, .pos_lo = seed % 2 ? (const uint8_t (*)[3])lo : NULL };
     const int32_t got = zs_edges_of(edge, &mesh);
     for (int a = 0; a < 12; a++)
         for (int b = 0; b < 12; b++)

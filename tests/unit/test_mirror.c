@@ -227,6 +227,51 @@ static int rays_case(uint64_t seed)
     return ok;
 }
 
+/* A window that is seen in a mirror, on another place: the three pictures by themselves, the first two with what can
+ * be told apart in place of glass, say which is seen at a pixel. */
+static unsigned pixels_beyond;
+
+static int window_in_mirror_case(uint64_t seed)
+{
+    static const uint16_t mark[2] = { 0x8001, 0x8001 };
+    static const struct zs_depth_state or_equal = { .func = ZS_DEPTH_LESS_EQUAL };
+    struct prng p = { seed };
+    struct room m;
+    if (!room_make(&m, &p, (int)prng_pick(&p, 3)))
+        return case_wrong("no room");
+    struct zs_instance in[2] = { m.thing[0], m.thing[1] }; /* in the mirror: the things, the window */
+    in[1].pose.pos[0] += prng_range(&p, -60, 60);
+    in[1].pose.pos[2] += prng_range(&p, 0, 90);
+    zs_pose_turn(&in[1].pose, (zs_turn)prng_next(&p), 0, (zs_turn)prng_next(&p));
+    const struct zs_scene seen = { .instance = in, .n_instances = 2, .background = SKY_SEEN };
+    const struct zs_scene beyond = { .instance = m.thing, .n_instances = 1, .background = 0x1111 };
+    struct zs_pass pass[3] = { { .scene = &m.scene, .camera = &m.camera },
+                               { .scene = &seen, .camera = &m.camera, .mirror = &m.mirror },
+                               { .scene = &beyond, .camera = &m.camera } };
+    struct zs_config c = picture_config(W, H, prng_pick(&p, 2) ? &zs_depth_float : &zs_depth_linear);
+    m.quad.face_raw = mark;
+    m.thing[1].material = in[1].material = &raw_both;
+    m.thing[1].depth_state = in[1].depth_state = &or_equal; /* as windows are drawn */
+    struct picture by[3];
+    for (int k = 0; k < 3; k++)
+        by[k] = picture_passes(&c, pass + k, 1);
+    m.thing[1].material = in[1].material = &window;
+    m.thing[1].depth_state = in[1].depth_state = NULL;
+    pass[1].mask = pass[2].mask = &zs_mask_window;
+    picture_any_way(&p, &c, 4, 12);
+    struct picture got = picture_passes(&c, pass, 3);
+    int ok = (by[0].err == ZS_OK && by[1].err == ZS_OK && by[2].err == ZS_OK && got.err == ZS_OK) ||
+             case_wrong("error %d", got.err);
+    for (int i = 0; i < W * H && ok; i++) {
+        const int k = by[0].color[i] != mark[0] ? 0 : by[1].color[i] != mark[0] ? 1 : 2;
+        pixels_beyond += k == 2;
+        ok = got.color[i] == by[k].color[i] || case_wrong("pixel %d, %d: %x, not %x of picture %d", i % W, i / W,
+                                                          got.color[i], by[k].color[i], k);
+    }
+    PICTURES_FREE(&by[0], &by[1], &by[2], &got);
+    return ok;
+}
+
 static void rays_go_on_at_a_mirror(void **state)
 {
     (void)state;
@@ -732,6 +777,7 @@ static void wrong_mirrors_are_refused(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(rays_go_on_at_a_mirror),
+    CASES_COUNT(a_window_in_a_mirror, window_in_mirror_case, 100, &pixels_beyond, 5000, "pixels seen through both"),
     cmocka_unit_test(a_scene_mirrored_by_hand),
     CASES_COUNTS(any_way_is_the_same, way_case, 200, { "ways", &ways, 60 }),
     cmocka_unit_test(stress_41_the_eye_near_the_plane),

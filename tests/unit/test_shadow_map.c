@@ -9,6 +9,8 @@
 #include "boxes.h"
 #include "cases.h"
 #include "picture.h"
+#include "zs_damage.h"
+#include "zs_lines.h"
 #include "zs_method.h"
 #include "zs_shadow.h"
 
@@ -360,6 +362,26 @@ static void errors(void **state)
     s.map.w++;
     assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_SIZE);
     s.map.w--;
+    s.map.h++;
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_SIZE);
+    s.map.h--;
+    uint16_t *const key = s.map.key;
+    s.map.key = NULL;
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_NULL);
+    s.map.key = key;
+    s.sun.pos[0] = INT32_MIN;
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_RANGE);
+    assert_int_equal(s.map.drawn, 0);
+    s.sun.pos[0] = 0;
+    static uint32_t memory[ZS_DAMAGE_WORDS(THINGS, MAP_MAX, 1)];
+    assert_int_equal(zs_damage_track(&r, memory, THINGS), ZS_OK);
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+    c.method = &zs_method_hiz;
+    assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_DEPTH);
+    c.method = NULL;
+    assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
     static uint64_t sums[MAP_MAX * MAP_MAX];
     struct zs_strip_hashes hashes;
     assert_int_equal(damage_compare_anew(&r, &hashes, sums, 1), ZS_OK);
@@ -376,6 +398,9 @@ static void errors(void **state)
     s.material.map = NULL;
     REFUSED_WITH(ZS_ERR_NULL);
     s.material.map = &s.map;
+    s.map.key = NULL;
+    REFUSED_WITH(ZS_ERR_NULL);
+    s.map.key = key;
     s.sun.height /= 5000; /* a texel is less than four steps */
     assert_int_equal(map_draw(&s, NULL), ZS_OK);
     REFUSED_WITH(ZS_ERR_RANGE);
@@ -395,8 +420,30 @@ static void errors(void **state)
 #undef REFUSED_WITH
 }
 
+/* What cannot cast a shadow is left out: without a material, lines and points, a cull that there is not. */
+static void casters_are_chosen(void **state)
+{
+    (void)state;
+    static const struct zs_lines lines;
+    static const struct zs_mesh mesh;
+    const struct zs_material good = { .shader = &zs_shade_flat, .cull = ZS_CULL_NONE };
+    const struct zs_material odd = { .shader = &zs_shade_flat, .cull = ZS_CULL_NONE + 1 };
+    const struct zs_material line = { .shader = &zs_shade_flat, .primitive = &lines.primitive };
+    const struct zs_instance in[5] = { { .mesh = &mesh }, { .mesh = &mesh, .material = &line },
+                                       { .mesh = &mesh, .material = &good, .pose = { .pos = { 7, 8, 9 } } },
+                                       { .mesh = &mesh, .material = &odd }, { .mesh = &mesh, .material = &good } };
+    static const struct zs_depth_state bias;
+    struct zs_instance out[5];
+    assert_int_equal(zs_shadow_casters(out, in, 5, &bias), 2);
+    assert_memory_equal(&out[0].pose, &in[2].pose, sizeof out[0].pose);
+    assert_ptr_equal(out[0].mesh, &mesh);
+    assert_ptr_equal(out[0].depth_state, &bias);
+    assert_memory_equal(&out[1].pose, &in[4].pose, sizeof out[1].pose);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(rays),
+    cmocka_unit_test(casters_are_chosen),
     CASES_TEST(any_way, way_case, 60),
     CASES_TEST(colors_without_casters, colors_case, 60),
     cmocka_unit_test(stress_47_odd_maps_and_lights),

@@ -4,7 +4,6 @@
  */
 #include "core/cold.h"
 #include "core/frame.h"
-#include "core/fx.h"
 #include "core/rotation.h"
 #include "core/usual.h"
 #include "support/explain.h"
@@ -15,6 +14,16 @@ static void say_error(struct zs_explainer *e, int err)
 {
     ZS_PIECE(e, zs_error_string(err));
     ZS_SAY(e, ".");
+}
+
+/* Return 1, and say it, if a position lies outside the world. */
+static int say_pos(struct zs_explainer *e, const char *name, const int32_t pos[3])
+{
+    if (zs_within(pos, 3, ZS_WORLD_MAX))
+        return 0;
+    ZS_PIECE(e, name);
+    ZS_SAY(e, " is % % %, and % is the most.", pos[0], pos[1], pos[2], ZS_WORLD_MAX);
+    return 1;
 }
 
 /* ---- Camera, light and scene ----------------------------------------------------------------- */
@@ -38,7 +47,7 @@ static void say_camera(struct zs_explainer *e, int err)
         ZS_SAY(e, "its height is $: zs_camera_orthographic sets it.", c->height);
     else if (!zs_rotation_ok(c->rot))
         ZS_SAY(e, "rot is no rotation: zs_camera_look_at sets it.");
-    else
+    else if (!say_pos(e, "pos", c->pos))
         say_error(e, err);
 }
 
@@ -61,9 +70,7 @@ static void say_scene(struct zs_explainer *e, int err)
     else if (err == ZS_ERR_RANGE && (light->ambient > ZS_Q16_ONE || light->diffuse > ZS_Q16_ONE))
         ZS_SAY(e, "the light is refused: ambient is %, diffuse is %; 65536 is full.",
                light->ambient, light->diffuse);
-    else if (err == ZS_ERR_RANGE && zs_size32(e->camera->pos[0]) <= ZS_WORLD_MAX &&
-             zs_size32(e->camera->pos[1]) <= ZS_WORLD_MAX &&
-             zs_size32(e->camera->pos[2]) <= ZS_WORLD_MAX && e->r->view.perspective)
+    else if (err == ZS_ERR_RANGE && !zs_within(light->dir, 3, ZS_UNIT_MOST))
         ZS_SAY(e, "the light is refused: its dir is longer than 1, ZS_Q30_ONE: zs_unit makes it 1 "
                   "long.");
     else
@@ -96,10 +103,8 @@ static void say_range(struct zs_explainer *e, const struct zs_instance *in)
     const uint64_t scale = zs_usual_scale(in); /* q32_32 */
     if (!zs_rotation_ok(zs_usual_rotation(pose->rot)))
         ZS_SAY(e, "pose.rot is no rotation: its elements are q2_30; zs_pose_turn sets it.");
-    else if (zs_size32(pose->pos[0]) > ZS_WORLD_MAX || zs_size32(pose->pos[1]) > ZS_WORLD_MAX ||
-             zs_size32(pose->pos[2]) > ZS_WORLD_MAX)
-        ZS_SAY(e, "pose.pos is % % %, and % is the most.", pose->pos[0], pose->pos[1], pose->pos[2],
-               ZS_WORLD_MAX);
+    else if (say_pos(e, "pose.pos", pose->pos))
+        return;
     else if (in->depth_state && in->depth_state->func > ZS_DEPTH_ALWAYS)
         ZS_SAY(e, "depth_state.func is %.", in->depth_state->func);
     else if ((in->mesh->radius + 1u) * (scale >> 16) >> 16 >= (uint64_t)ZS_WORLD_MAX || scale >> 47)
