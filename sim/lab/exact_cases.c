@@ -10,6 +10,7 @@
 
 #include "frame.h"
 #include "error_bound.h"
+#include "grid.h"
 #include "one.h"
 #include "prng_log.h"
 #include "reference.h"
@@ -264,29 +265,13 @@ static int64_t turn(const struct board *b, uint32_t a, uint32_t c, uint32_t d)
 
 static void fill_grid(struct board *b, struct prng *r, const int32_t box[4])
 {
-    const int nx = prng_range(r, 1, 32), ny = prng_range(r, 1, 32);
-    const int32_t w = box[2] - box[0], h = box[3] - box[1];
-    const int32_t jx = w / nx * 49 / 100, jy = h / ny * 49 / 100;
-    for (int y = 0; y <= ny; y++)
-        for (int x = 0; x <= nx; x++) {
-            const int32_t mx = x && x < nx ? prng_range(r, -jx, jx) : 0;
-            const int32_t my = y && y < ny ? prng_range(r, -jy, jy) : 0;
-            (void)board_vertex(b, box[0] + (int32_t)((int64_t)w * x / nx) + mx,
-                               box[1] + (int32_t)((int64_t)h * y / ny) + my, 0, EXACT_Z);
-        }
-    for (int y = 0; y < ny; y++)
-        for (int x = 0; x < nx; x++) {
-            const uint32_t a = (uint32_t)(y * (nx + 1) + x), c = a + 1, d = a + (uint32_t)nx + 1,
-                           e = d + 1;
-            if ((turn(b, a, e, c) < 0) !=
-                (turn(b, a, e, d) < 0)) { /* the diagonal that lies inside */
-                board_tri(b, a, c, e);
-                board_tri(b, e, d, a);
-            } else {
-                board_tri(b, a, c, d);
-                board_tri(b, e, d, c);
-            }
-        }
+    static struct grid g;
+    const int nx = prng_range(r, 1, GRID_MAX), ny = prng_range(r, 1, GRID_MAX);
+    grid_make(&g, r, box, nx, ny);
+    for (uint32_t v = 0; v < g.n_corners; v++)
+        (void)board_vertex(b, g.at[v][0], g.at[v][1], 0, EXACT_Z);
+    for (uint32_t t = 0; t < g.n_tris; t++)
+        board_tri(b, g.tri[t][0], g.tri[t][1], g.tri[t][2]);
 }
 
 static void fill_fan(struct board *b, struct prng *r, const int32_t box[4], int steps)

@@ -28,7 +28,8 @@ static inline struct zs_instance *things_add(struct things *t, const struct zs_m
     in->mesh = mesh;
     in->material = &t->material[k];
     zs_pose_identity(&in->pose);
-    zs_pose_turn(&in->pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), 0);
+    const zs_turn yaw = (zs_turn)prng_next(p), pitch = (zs_turn)prng_next(p);
+    zs_pose_turn(&in->pose, yaw, pitch, 0);
     return in;
 }
 

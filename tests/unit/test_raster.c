@@ -10,6 +10,7 @@
 #include "fast_lists.h"
 #include "oracle.h"
 #include "easel.h"
+#include "grid.h"
 #include "internals.h"
 
 #define GUARD (8188 * 256)
@@ -612,36 +613,12 @@ static void partition_add(struct partition *m, const int32_t a[2], const int32_t
     }
 }
 
-/* A grid whose inner corners move by less than half a cell, cut along either diagonal. */
 static void grid(struct prng *p, struct partition *m, const int32_t box[4], int nx, int ny)
 {
-    static int32_t v[33][33][2];
-    const int32_t w = box[2] - box[0], h = box[3] - box[1];
-    const int32_t jx = w / nx * 49 / 100, jy = h / ny * 49 / 100;
-    for (int y = 0; y <= ny; y++)
-        for (int x = 0; x <= nx; x++) {
-            const int inner_x = x > 0 && x < nx, inner_y = y > 0 && y < ny;
-            v[y][x][0] =
-                box[0] + (int32_t)((int64_t)w * x / nx) + (inner_x ? prng_range(p, -jx, jx) : 0);
-            v[y][x][1] =
-                box[1] + (int32_t)((int64_t)h * y / ny) + (inner_y ? prng_range(p, -jy, jy) : 0);
-        }
-    for (int y = 0; y < ny; y++)
-        for (int x = 0; x < nx; x++) {
-            const int32_t *a = v[y][x], *b = v[y][x + 1], *c = v[y + 1][x], *d = v[y + 1][x + 1];
-            /* the diagonal that lies inside the quad */
-            const int64_t sb = (int64_t)(d[0] - a[0]) * (b[1] - a[1]) -
-                               (int64_t)(d[1] - a[1]) * (b[0] - a[0]);
-            const int64_t sc = (int64_t)(d[0] - a[0]) * (c[1] - a[1]) -
-                               (int64_t)(d[1] - a[1]) * (c[0] - a[0]);
-            if ((sb < 0) != (sc < 0)) {
-                partition_add(m, a, b, d);
-                partition_add(m, d, c, a);
-            } else {
-                partition_add(m, a, b, c);
-                partition_add(m, d, c, b);
-            }
-        }
+    static struct grid g;
+    grid_make(&g, p, box, nx, ny);
+    for (uint32_t t = 0; t < g.n_tris; t++)
+        partition_add(m, g.at[g.tri[t][0]], g.at[g.tri[t][1]], g.at[g.tri[t][2]]);
 }
 
 /* Two triangles, then points dropped into them one after another: slivers without end. */
