@@ -179,6 +179,41 @@ static int cut_case(uint64_t seed)
     return 1;
 }
 
+/* A picture of one row shows it at every height, one of one column all around. */
+static void a_panorama_of_one_row(void **state)
+{
+    static const uint16_t color[16] = { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16 };
+    (void)state;
+    for (int column = 0; column < 2; column++) {
+        const struct zs_texture image = { .format = &zs_texel_565, .texel = color,
+                                          .log2_w = column ? 0 : 4, .log2_h = column ? 4 : 0 };
+        static struct zs_sky sky;
+        struct zs_camera camera;
+        static const int32_t eye[3] = { 0, 0, 0 }, ahead[3] = { 0, 0, -1000 }, up[3] = { 0, 1, 0 };
+        uint16_t row[64], first[64] = { 0 };
+        uint32_t seen = 0;
+        const struct zs_rect at = { 0, 0, 64, 48 };
+        assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 10, 1000), ZS_OK);
+        assert_int_equal(zs_camera_look_at(&camera, eye, ahead, up), ZS_OK);
+        assert_int_equal(zs_sky_panorama(&sky, &image, 16384, -16384), ZS_OK);
+        zs_sky_look(&sky, &camera, &at, NULL);
+        for (uint16_t y = 0; y < 48; y++) {
+            sky.background.fill(&sky, row, 0, y, 64);
+            if (y == 0)
+                memcpy(first, row, sizeof row);
+            if (!column && y == 24)
+                assert_memory_equal(row + 24, first + 24, 16 * sizeof *row); /* near the middle, columns are upright */
+            for (int x = 0; x < 64; x++) {
+                assert_true(zs_wire16(row[x]) >= 1 && zs_wire16(row[x]) <= 16);
+                seen |= 1u << zs_wire16(row[x]);
+                if (column) /* as high to the left as to the right */
+                    assert_true(abs(zs_wire16(row[x]) - zs_wire16(row[63 - x])) <= 1);
+            }
+        }
+        assert_true((seen & (seen - 1u)) != 0); /* more than one of them */
+    }
+}
+
 /* Straight up is the first colour, straight down the last one, and the horizon is level. */
 static void a_gradient_follows_the_pitch(void **state)
 {
@@ -473,6 +508,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_sky_bears_any_camera),
     cmocka_unit_test(a_panorama_is_where_it_should_be),
     CASES_TEST(a_row_may_be_cut, cut_case, 200),
+    cmocka_unit_test(a_panorama_of_one_row),
     cmocka_unit_test(a_gradient_follows_the_pitch),
     cmocka_unit_test(wrong_skies_are_refused),
     cmocka_unit_test(a_map_is_looked_up_by_the_normal),

@@ -54,8 +54,34 @@ static const struct zs_fast *const *list_of(void)
     return list;
 }
 
+/* A scene of one textured thing by another shader, its palette's texture with colours of 16 bits in it. */
+static void other_format(struct zs_scene *scene, const struct zs_shader *shader, int wide)
+{
+    static struct zs_instance in;
+    static struct zs_material material;
+    static struct zs_texture texture;
+    static uint16_t texel[1 << 16];
+    in = scene->instance[0];
+    material = *in.material;
+    texture = *material.texture;
+    assert_ptr_equal(texture.format, &zs_texel_pal8);
+    assert_true(texture.log2_w + texture.log2_h <= 16);
+    for (uint32_t i = 0; wide && i < 1u << (texture.log2_w + texture.log2_h); i++)
+        texel[i] = texture.palette[((const uint8_t *)texture.texel)[i]];
+    if (wide) {
+        texture.format = &zs_texel_565;
+        texture.texel = texel;
+    }
+    material.shader = shader;
+    material.texture = &texture;
+    in.material = &material;
+    scene->instance = &in;
+    scene->n_instances = 1;
+}
+
 /* A scene in strips of `strip_h` rows, drawn by both; its frame `number`. */
-static void same(const struct demo *d, uint32_t number, uint16_t strip_h, unsigned least)
+static void same_with(const struct demo *d, uint32_t number, uint16_t strip_h, unsigned least,
+                      const struct zs_shader *shader, int wide)
 {
     static struct demo_frame f;
     struct sim_frame ours, core;
@@ -65,6 +91,8 @@ static void same(const struct demo *d, uint32_t number, uint16_t strip_h, unsign
     c.depth = d->depth;
     c.strip_h = strip_h;
     d->pose(&f, number, d->width, d->height);
+    if (shader)
+        other_format(&f.scene, shader, wide);
     c.fast = NULL;
     assert_int_equal(sim_frame_render(&core, &f.scene, &f.camera, &c, NULL), ZS_OK);
     c.fast = list_of();
@@ -76,6 +104,11 @@ static void same(const struct demo *d, uint32_t number, uint16_t strip_h, unsign
     assert_true(drawn >= least);
     sim_frame_free(&ours);
     sim_frame_free(&core);
+}
+
+static void same(const struct demo *d, uint32_t number, uint16_t strip_h, unsigned least)
+{
+    same_with(d, number, strip_h, least, NULL, 0);
 }
 
 static void smooth_colours_as_the_core(void **state)
@@ -100,10 +133,19 @@ static void light_over_textures_as_the_core(void **state)
     same(&demo_china, 7, 60, 500);
 }
 
+static void other_formats_as_the_core(void **state)
+{
+    same_with(&demo_mesh_tex_lit, 0, 24, 500, &zs_shade_texture, 0);
+    same_with(&demo_mesh_tex_lit, 0, 24, 500, &zs_shade_texture, 1);
+    same_with(&demo_mesh_tex_smooth, 0, 24, 500, &zs_shade_texture_smooth, 1);
+    same_with(&demo_china, 7, 60, 500, &zs_shade_texture_flat, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(smooth_colours_as_the_core),
                                         cmocka_unit_test(textures_as_the_core),
+                                        cmocka_unit_test(other_formats_as_the_core),
                                         cmocka_unit_test(light_over_textures_as_the_core) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

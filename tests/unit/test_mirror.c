@@ -12,6 +12,7 @@
 #include "../lab/fuzz/world.h"
 #include "picture.h"
 #include "zs_environment.h"
+#include "zs_method.h"
 #include "zs_shader.h"
 
 /* ---- Rays in double precision ------------------------------------------------------------------ */
@@ -775,7 +776,27 @@ static void wrong_mirrors_are_refused(void **state)
     BEGINS(ZS_ERR_PASS); /* a mask is made of keys */
 }
 
+/* A method that is not the depth buffer draws nothing for a window. */
+static void windows_of_other_methods(void **state)
+{
+    (void)state;
+    struct zs_config c = picture_config(W, H, &zs_depth_none);
+    struct room m;
+    for (uint64_t seed = 1; seed <= 20; seed++) {
+        struct prng p = { seed };
+        assert_true(room_make(&m, &p, 0));
+        c.method = &zs_method_painter;
+        struct picture with = picture_draw(&c, &m.scene, &m.camera);
+        m.scene.n_instances = 1;
+        struct picture without = picture_draw(&c, &m.scene, &m.camera);
+        assert_int_equal(with.err, ZS_OK);
+        assert_memory_equal(with.color, without.color, sizeof *with.color * W * H);
+        PICTURES_FREE(&with, &without);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(windows_of_other_methods),
     cmocka_unit_test(rays_go_on_at_a_mirror),
     CASES_COUNT(a_window_in_a_mirror, window_in_mirror_case, 100, &pixels_beyond, 5000, "pixels seen through both"),
     cmocka_unit_test(a_scene_mirrored_by_hand),

@@ -206,8 +206,28 @@ static void walks_are_few(void **state)
     assert_true(sum[0].again < 5.4 * sum[0].frames); /* a walk of all for each band: 11 */
 }
 
+/* Rows of a frame of more than 255 are noted two or more to a number: the picture is that of one walk. */
+static unsigned tall_walks;
+
+static int tall_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    (void)world_open(&p);
+    struct zs_config c = world.of.config;
+    c.height = (uint16_t)prng_range(&p, 256, 1100);
+    c.max_tris = c.max_verts = TRIS_MAX;
+    CASE_CHECK(zs_camera_perspective(&world.of.camera, 9000, c.height, 300, 30000) == ZS_OK);
+    struct picture want = picture_draw(&c, &world.of.scene, &world.of.camera);
+    c.max_tris = (uint16_t)prng_range(&p, 200, 500);
+    c.max_verts = (uint16_t)prng_range(&p, 200, 500);
+    struct picture is = picture_draw(&c, &world.of.scene, &world.of.camera);
+    tall_walks += is.stats.passes > 2;
+    return picture_drawn_alike(&want, &is, "small pools");
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(walks_are_few),
+    CASES_COUNT(tall_frames, tall_case, 60, &tall_walks, 8, "frames in three walks and more"),
 };
 
 CASES_MAIN(tests)
