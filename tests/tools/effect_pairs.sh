@@ -4,7 +4,6 @@
 # Usage: tests/tools/effect_pairs.sh ZSIM WORKDIR     from the repository's top; ZSIM built with ASan and UBSan
 #
 # SPDX-License-Identifier: MIT
-LEAKS=0 # effects.sh has them
 . tests/tools/zsim.sh
 
 gcc -O1 -Wall -Wextra -Werror "$top/tests/tools/fixture.c" -lpng -lturbojpeg -o "$work/fixture" || exit 1

@@ -131,16 +131,12 @@ for sink in stm32cube pico_sdk esp_idf zephyr lvgl; do
     verdict "package_sink_$sink" sink.log
 done
 
-# CMake's functions of ESP-IDF and of the pico-sdk. The library is compiled with the same options for both, so that
-# ccache has it for the second: the consumer's folders are of its own files, and 3 varyings are what is not named
+# CMake's functions of ESP-IDF and of the pico-sdk
 mkdir -p idf pico
-own="set_source_files_properties(../run_none.c ../spinning_cube.c ../stub.c
-    PROPERTIES INCLUDE_DIRECTORIES \"$work;$work/stubs\")"
 cat >idf/CMakeLists.txt <<END
 cmake_minimum_required(VERSION 3.14)
 project(idf C)
 set(ESP_PLATFORM 1)
-add_compile_definitions(ZS_VARYINGS_MAX=3)
 function(idf_component_register)
   cmake_parse_arguments(of "" "" "SRCS;INCLUDE_DIRS" \${ARGN})
   list(TRANSFORM of_INCLUDE_DIRS PREPEND "\${CMAKE_CURRENT_LIST_DIR}/")
@@ -149,7 +145,7 @@ function(idf_component_register)
 endfunction()
 add_subdirectory("$zs" zstrip)
 add_executable(consumer ../run_none.c ../spinning_cube.c ../stub.c)
-$own
+target_include_directories(consumer PRIVATE .. ../stubs)
 target_link_libraries(consumer component)
 END
 built package_esp_idf_component idf
@@ -159,7 +155,7 @@ project(pico C)
 set(PICO_SDK_VERSION_STRING 1.5.1)
 add_subdirectory("$zs" zstrip)
 add_executable(consumer ../run_none.c ../spinning_cube.c ../stub.c)
-$own
+target_include_directories(consumer PRIVATE .. ../stubs)
 target_link_libraries(consumer zstrip::zstrip zstrip::panel)
 END
 built package_pico_sdk_interface pico

@@ -13,8 +13,7 @@ mkdir -p "$work"
 work=$(cd "$work" && pwd) || exit 1
 gcc -O1 -Wall -Wextra -Werror tests/tools/look.c -lpng -o "$work/look" || exit 1
 LSAN_OPTIONS=suppressions=$top/tests/lib/lsan.txt:print_suppressions=0
-# LEAKS=0: a script whose many runs are of commands that others look for leaks in; a fifth of each run's time
-ASAN_OPTIONS=detect_leaks=${LEAKS:-1}:handle_sigill=2:exitcode=99:quarantine_size_mb=16
+ASAN_OPTIONS=detect_leaks=1:handle_sigill=2:exitcode=99:quarantine_size_mb=16
 export LSAN_OPTIONS ASAN_OPTIONS
 cd "$work" || exit 1
 
