@@ -31,7 +31,7 @@ pictures: sim
 
 .PHONY: view report pictures study-variants linux-sources
 
-# Meshes: written by a generator, built into one archive
+# Meshes and textures: one file, written by a generator
 $(B)/gen_meshes: $(GEN) $(filter firmware/zstrip/% firmware/scenes/%,$(HEADERS))
 	@mkdir -p $(B)
 	@$(CC) -std=c11 $(CFLAGS) $(WARN) $(WERROR) $(INC) $(GEN) -lm -o $@
@@ -44,8 +44,9 @@ $(B)/gen/made: $(B)/gen_meshes
 $(B)/gen/meshes.h: $(B)/gen/made
 	@:
 $(B)/libmeshes.a: $(B)/gen/meshes.h
-	@cd $(B)/gen && $(CC) -std=c11 -O1 -I$(CURDIR)/firmware/zstrip -c mesh_*.c
-	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
+	@$(CC) -std=c11 -O1 -ffunction-sections -fdata-sections -Ifirmware/zstrip -MMD -MP -c $(B)/gen/meshes.c \
+	    -o $(B)/gen/meshes.o
+	@rm -f $@ && ar rcs $@ $(B)/gen/meshes.o
 
 # Rows of studies say which sources they were measured with
 $(B)/gen/study_build.h: $(CORE) $(SCENES) $(filter sim/%,$(SIM)) $(GEN) $(filter-out tests/%,$(HEADERS))

@@ -120,7 +120,7 @@ CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) \
 PANELS = $(if $(shell grep -lE '[<"]panel\.h[>"]' $(NAMING)),$(wildcard hal/panel/*.c))
 # CORE_OBJ=DIR: the renderer as objects that lie there, made by tests/lib/checksum_program.sh with DEFINES
 CORE_OBJ =
-COMMON = $(PANELS) $(if $(CORE_OBJ),,$(CORE)) $(wildcard firmware/scenes/*.c $(B)/gen/*.c)
+COMMON = $(PANELS) $(if $(CORE_OBJ),,$(CORE)) $(wildcard firmware/scenes/*.c $(B)/gen/meshes.c)
 SRC = $(wildcard hal/$(BOARD_HAL)/*.c) $(BOARD_SRC) $(COMMON)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC)) \
       $(if $(CORE_OBJ),$(foreach c,$(CORE:.c=.o),$(CORE_OBJ)/$(subst /,-,$c)))
@@ -151,7 +151,7 @@ $(LIBRARY_OBJ) $(patsubst %.c,$(OUT)/%.o,$(PANELS)): GEN =
 $(sort $(COMMON_OBJ) $(LIBRARY_OBJ)): BOARD_FLAGS =
 $(sort $(COMMON_OBJ) $(LIBRARY_OBJ)): override DEFINES := $(filter -DZS_%,$(DEFINES))
 # Meshes are data: the same for all cores of a kind
-MESH_OBJ = $(patsubst %.c,$(OUT)/%.o,$(wildcard $(B)/gen/*.c))
+MESH_OBJ = $(OUT)/$(B)/gen/meshes.o
 $(MESH_OBJ): override BOARD_CPU := $(or $(DATA_CPU),$(BOARD_CPU))
 $(MESH_OBJ): override OPT = -O1
 $(MESH_OBJ): override DEBUG =

@@ -10,7 +10,7 @@ SHOW_AT = $(shell sed -n 's/.*define SHOW_MODEL \(0x[0-9a-f]*\).*/\1/p' firmware
 SHOW_KEPT = zs_(shade|blend|add|stipple|texel|depth|method)_[a-z0-9_]+|show_(model(_.*)?|test|phase)|zs_fog_draw \
             |zs_frame_end|hal_exit
 $(SHOW_MODEL).txt: $(SHOW_SRC) $(B)/gen/made sim/web/page.mk
-	+@$(MAKE_ALL) -s -f firmware/boards/firmware.mk B=$(B) BOARD=pico NAME=show_model OUT=$(@D) \
+	+@$(MAKE_ALL) -s -f firmware/boards/firmware.mk B=$(B) BOARD=pico NAME=show_model OUT=$(@D) DEBUG= \
 	    APP_SRC='firmware/app/show.c firmware/app/show_model.c' APP_FLAGS=-DSHOW_PIECE=1 DEFINES=-DZS_VARYINGS_MAX=8 \
 	    APP_LINK='-Wl,--defsym=show=$(SHOW_AT),--defsym=show_model=$(SHOW_AT),-u,show_model_parts' image
 	@arm-none-eabi-nm -f sysv $(SHOW_MODEL).elf | grep -E '^($(subst  |,|,$(SHOW_KEPT))) *\|' >$@

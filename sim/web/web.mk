@@ -33,10 +33,8 @@ $(B)/web/%.o: %.c $(WEB_NOTE) | $(B)/gen/meshes.h $(MESHOPT)/meshoptimizer.h
 	@mkdir -p $(@D)
 	@$(WEB_CC) $(DEP) -c $< -o $@
 $(B)/web/meshes.o: $(B)/gen/made $(WEB_NOTE)
-	@mkdir -p $(@D)/gen
-	@cd $(@D)/gen && $(filter-out -I% -Isim/%,$(WEB_CC:web_system.h=stddef.h)) -I$(CURDIR)/firmware/zstrip -c \
-	    $(CURDIR)/$(B)/gen/mesh_*.c
-	@wasm-ld -r $(@D)/gen/mesh_*.o -o $@
+	@mkdir -p $(@D)
+	@$(WEB_CC) -c $(B)/gen/meshes.c -o $@
 # One section for each function and mesh, so that what the page does not call stays out
 $(B)/web/engine.wasm: $(WEB_O) $(MESHOPT_O) $(B)/web/meshes.o
 	@clang --target=wasm32-wasi -O3 -mexec-model=reactor $^ -Wl,--gc-sections,--strip-all,-z,stack-size=1048576 -o $@

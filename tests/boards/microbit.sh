@@ -124,7 +124,7 @@ sees_differences() {
     same "$out/cubes" "$out/truth8" cubes >"$out/sees.txt"
     [ "$(grep -c 'pixels differ' "$out/sees.txt")" = $FRAMES ] && ok microbit_comparison_sees_subpixel_bits ||
         bad microbit_comparison_sees_subpixel_bits "$(reasons "$out/sees.txt")"
-    node tests/boards/patch.mjs "$out/cubes.elf" "$out/flipped.elf" face_rgb 0x01020304
+    node tests/boards/patch.mjs "$out/cubes.elf" "$out/flipped.elf" mesh_cube_face_rgb 0x01020304
     frames "$out/flipped" "$out/flipped.elf" cubes >"$out/sees.txt"
     same "$out/flipped" "$out/truth" cubes >>"$out/sees.txt"
     [ "$(grep -c 'pixels differ' "$out/sees.txt")" = $FRAMES ] && ok microbit_comparison_sees_a_colour ||

@@ -61,7 +61,7 @@ while read -r source again; do
         continue
     fi
     # shellcheck disable=SC2086
-    $compiler $more -c "$source" -o "$program.o/$(object "$source")"
+    $compiler $more -MMD -c "$source" -o "$program.o/$(object "$source")"
     objects="$objects $program.o/$(object "$source")"
 done <<END
 $plan

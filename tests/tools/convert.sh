@@ -13,7 +13,7 @@ set -- "$build/test/zsim" "$build/test/convert"
 . "$top/tests/lib/positional.sh"
 designated_headers headers "$top" || exit 1
 gcc -O1 -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$build/gen" "$top/tests/tools/convert/make.c" \
-    "$build/libcore.a" "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
+    "$build/libmeshes.a" "$build/libcore.a" -lpng -lturbojpeg -lm -o make || exit 1
 
 below() { # WHAT HAVE LIMIT
     awk -v a="$2" -v b="$3" 'BEGIN { exit !(a == a + 0 && a + 0 < b + 0) }' || wrong "$1 is $2, not below $3"

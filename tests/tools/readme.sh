@@ -240,7 +240,7 @@ follow() { # NAME LEAST-PIXELS MOST-PIXELS COLOURS    MODEL.obj and what belongs
 }
 make=$out/make
 gcc -O1 -Ifirmware/zstrip -I"$build/gen" tests/tools/convert/make.c \
-    "$build/libcore.a" "$build/libmeshes.a" -lpng -lturbojpeg -lm -o "$make"
+    "$build/libmeshes.a" "$build/libcore.a" -lpng -lturbojpeg -lm -o "$make"
 mkdir -p "$out/teapot" "$out/boxes" "$out/torus"
 "$make" teapot >"$out/teapot/MODEL.obj"
 "$make" boxes 5 3 >"$out/boxes/MODEL.obj"

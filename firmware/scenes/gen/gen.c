@@ -505,34 +505,38 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
 
     char name[64];
     snprintf(name, sizeof name, "mesh_%s", m->name);
-    FILE *f = out_open(name);
-    fprintf(f, "/* %lu vertices, %lu triangles, %lu bytes of flash. */\n#include \"meshes.h\"\n",
+    FILE *f = out_begin(name);
+    fprintf(f, "/* %lu vertices, %lu triangles, %lu bytes of flash. */\n",
             (unsigned long)m->n_verts, (unsigned long)m->n_tris, (unsigned long)bytes);
     write_arrays(f, m, parts);
     if (n_clusters)
         write_clusters(f, m);
-    fprintf(f, "\nconst struct zs_mesh %s = {\n    .pos = pos,\n    .tri = tri,\n", name);
+    fprintf(f, "\nconst struct zs_mesh %s = {\n", name);
+    out_field(f, "pos");
+    out_field(f, "tri");
     if (parts & GEN_NORMAL)
-        fputs("    .normal = normal,\n", f);
-    if (parts & GEN_UV)
-        fprintf(f, "    .uv = uv,\n    .uv_bits = %lu,\n", (unsigned long)m->uv_bits);
+        out_field(f, "normal");
+    if (parts & GEN_UV) {
+        out_field(f, "uv");
+        fprintf(f, "    .uv_bits = %lu,\n", (unsigned long)m->uv_bits);
+    }
     if (parts & GEN_FACE_NORMAL)
-        fputs("    .face_normal = face_normal,\n", f);
+        out_field(f, "face_normal");
     if (parts & GEN_VERTEX_RGB)
-        fputs("    .vertex_rgb = vertex_rgb,\n", f);
+        out_field(f, "vertex_rgb");
     if (parts & GEN_FACE_RGB)
-        fputs("    .face_rgb = face_rgb,\n", f);
+        out_field(f, "face_rgb");
     if (parts & GEN_FACE_RAW)
-        fputs("    .face_raw = face_raw,\n", f);
+        out_field(f, "face_raw");
     fprintf(f, "    .n_verts = %lu,\n    .n_tris = %lu,\n    .scale = %luu,\n",
             (unsigned long)m->n_verts, (unsigned long)m->n_tris, (unsigned long)scale);
-    if (n_clusters)
-        fprintf(f, "    .cluster = cluster,\n    .n_clusters = %lu,\n",
-                (unsigned long)n_clusters);
+    if (n_clusters) {
+        out_field(f, "cluster");
+        fprintf(f, "    .n_clusters = %lu,\n", (unsigned long)n_clusters);
+    }
     fprintf(f, "    .center = { %lld, %lld, %lld },\n    .radius = %llu,\n};\n",
             (long long)center[0], (long long)center[1], (long long)center[2],
             (unsigned long long)radius);
-    out_close(f, name);
     char size[64];
     snprintf(size, sizeof size, "%lu vertices, %lu triangles", (unsigned long)m->n_verts,
              (unsigned long)m->n_tris);

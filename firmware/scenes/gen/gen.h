@@ -74,7 +74,7 @@ void gen_smooth(struct gen_mesh *m);
 /* face_raw = face_rgb lit from a direction of any length: (ambient + (256 - ambient) cos) / 256. */
 void gen_bake(struct gen_mesh *m, const int64_t dir[3], int64_t ambient);
 
-/* Check the mesh, write DIR/mesh_NAME.c and add its line to meshes.h. Ends the program on failure.
+/* Check the mesh, write it to DIR/meshes.c and add its line to meshes.h. Ends the program on failure.
  * scale  uq16_16, world units to a step. */
 void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale);
 
@@ -107,7 +107,7 @@ void gen_paint(struct gen_image *im, struct gen_rgb (*at)(int64_t x, int64_t y))
 void gen_text(struct gen_image *im, int64_t x, int64_t y, int64_t wide, int64_t high,
               const char *text, struct gen_rgb rgb);
 
-/* Check the image, write DIR/mesh_texture_NAME.c and add its line to meshes.h. Ends the program on
+/* Check the image, write it to DIR/meshes.c and add its line to meshes.h. Ends the program on
  * failure: a palette takes 256 or 16 colours after rounding to RGB565. */
 void gen_texture(const struct gen_image *im, enum gen_format format, enum gen_clamp clamp);
 

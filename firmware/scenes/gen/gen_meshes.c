@@ -1,5 +1,5 @@
-/* gen_meshes OUTDIR: write every mesh and texture of the scenes as C, OUTDIR/mesh_NAME.c and
- * OUTDIR/mesh_texture_NAME.c, and OUTDIR/meshes.h.
+/* gen_meshes OUTDIR: write every mesh and texture of the scenes as C, OUTDIR/meshes.c and
+ * OUTDIR/meshes.h.
  *
  * OUTDIR must exist. Integers only: the files are the same bytes on every machine. They are built,
  * never committed.

@@ -167,11 +167,8 @@ void gen_texture(const struct gen_image *im, enum gen_format format, enum gen_cl
     const uint32_t bits = format == GEN_565 ? 16u : format == GEN_PAL4 ? 4u : 8u;
     struct palette p = { { 0 }, { 0 }, 0 };
     char name[64], size[64];
-    snprintf(name, sizeof name, "mesh_texture_%s", im->name); /* mesh_: what the build compiles */
-    FILE *f = out_open(name);
-    fputs("#include \"meshes.h\"\n", f);
-    if (format == GEN_PAL8A)
-        fputs("#include \"zs_filter.h\"\n", f);
+    snprintf(name, sizeof name, "texture_%s", im->name);
+    FILE *f = out_begin(name);
     uint32_t words = 0; /* of the palette; alphas follow the colours */
     uint32_t n = (uint32_t)(im->w * im->h);
     if (format == GEN_565) {
@@ -184,16 +181,18 @@ void gen_texture(const struct gen_image *im, enum gen_format format, enum gen_cl
         write_words(f, "palette", p.color, words);
     }
     const uint32_t bytes = n * bits / 8u + 2u * words;
-    fprintf(f, "\n/* %lu bytes of flash. */\nconst struct zs_texture texture_%s = {\n",
-            (unsigned long)bytes, im->name);
-    fprintf(f, "    .format = &zs_texel_%s,\n    .texel = texel,\n", names[format]);
-    if (p.n)
-        fprintf(f, "    .palette = palette,\n    .n_colors = %lu,\n", (unsigned long)p.n);
+    fprintf(f, "\n/* %lu bytes of flash. */\nconst struct zs_texture %s = {\n",
+            (unsigned long)bytes, name);
+    fprintf(f, "    .format = &zs_texel_%s,\n", names[format]);
+    out_field(f, "texel");
+    if (p.n) {
+        out_field(f, "palette");
+        fprintf(f, "    .n_colors = %lu,\n", (unsigned long)p.n);
+    }
     if (im->n_levels)
         fprintf(f, "    .n_levels = %lu,\n", (unsigned long)im->n_levels);
     fprintf(f, "    .log2_w = %lu,\n    .log2_h = %lu,\n    .clamp = %d,\n};\n", log2_of(im->w),
             log2_of(im->h), (int)clamp);
-    out_close(f, name);
     snprintf(size, sizeof size, "%ld x %ld texels, %s", (long)im->w, (long)im->h, names[format]);
     out_declare("zs_texture", "texture", im->name, size, bytes);
 }

@@ -8,7 +8,8 @@
 #include <string.h>
 
 static const char *out_dir;
-static FILE *header;
+static FILE *header, *arrays;
+static const char *of; /* the mesh or texture that is being written */
 static uint32_t bytes_of_all;
 
 void out_die(const char *what, const char *name)
@@ -29,15 +30,17 @@ static FILE *create(const char *name, const char *ending)
     return f;
 }
 
-FILE *out_open(const char *name)
-{
-    return create(name, ".c");
-}
-
-void out_close(FILE *f, const char *name)
+static void end(FILE *f, const char *name)
 {
     if (ferror(f) | fclose(f))
         out_die("cannot be written", name);
+}
+
+FILE *out_begin(const char *name)
+{
+    of = name;
+    fprintf(arrays, "\n/* ---- %s ---- */\n", name);
+    return arrays;
 }
 
 /* ---- Arrays ---------------------------------------------------------------------------------- */
@@ -45,7 +48,7 @@ void out_close(FILE *f, const char *name)
 struct out_rows out_array(FILE *f, const char *type, const char *name, uint32_t n,
                           const char *inner)
 {
-    fprintf(f, "\nstatic const %s %s[%lu]%s = {", type, name, (unsigned long)n, inner);
+    fprintf(f, "\nstatic const %s %s_%s[%lu]%s = {", type, of, name, (unsigned long)n, inner);
     const struct out_rows r = { f, 0 };
     return r;
 }
@@ -77,6 +80,11 @@ void out_array_end(const struct out_rows *r)
     fputs("\n};\n", r->f);
 }
 
+void out_field(FILE *f, const char *name)
+{
+    fprintf(f, "    .%s = %s_%s,\n", name, of, name);
+}
+
 uint16_t out_rgb565(struct gen_rgb c)
 {
     return (uint16_t)(((c.r * 31 + 127) / 255) << 11 | ((c.g * 63 + 127) / 255) << 5 |
@@ -99,11 +107,14 @@ void gen_open(const char *dir)
     out_dir = dir;
     header = create("meshes", ".h");
     fputs("#ifndef MESHES_H\n#define MESHES_H\n\n#include \"zstrip.h\"\n\n", header);
+    arrays = create("meshes", ".c");
+    fputs("#include \"meshes.h\"\n#include \"zs_filter.h\"\n", arrays);
 }
 
 void gen_close(void)
 {
     fputs("\n#endif\n", header);
-    out_close(header, "meshes.h");
+    end(header, "meshes.h");
+    end(arrays, "meshes.c");
     printf("%-45s %8lu bytes\n", "all", (unsigned long)bytes_of_all);
 }

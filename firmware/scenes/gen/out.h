@@ -13,9 +13,9 @@
 /* One line to stderr that names `name`; ends the program. */
 _Noreturn void out_die(const char *what, const char *name);
 
-/* DIR/NAME.c, begun with its comment. Close it with out_close, which checks it. */
-FILE *out_open(const char *name);
-void out_close(FILE *f, const char *name);
+/* DIR/meshes.c, where the mesh or texture `name` begins: its arrays are called NAME_pos and so on. One
+ * file for all: a compiler starts once, not 72 times for each core. */
+FILE *out_begin(const char *name);
 
 /* An array of a file, filled up to 100 columns a line. */
 struct out_rows {
@@ -23,13 +23,14 @@ struct out_rows {
     int column;
 };
 
-/* static const TYPE NAME[n]INNER = { ... }; */
+/* static const TYPE MESH_NAME[n]INNER = { ... }; */
 struct out_rows out_array(FILE *f, const char *type, const char *name, uint32_t n,
                           const char *inner);
 void out_row(struct out_rows *r, const char *text); /* with its comma */
 void out_row2(struct out_rows *r, int64_t a, int64_t b);
 void out_row3(struct out_rows *r, int64_t a, int64_t b, int64_t c);
 void out_array_end(const struct out_rows *r);
+void out_field(FILE *f, const char *name); /* .NAME = MESH_NAME, */
 
 /* A line of meshes.h and one of the list: what there is, and how large. */
 void out_declare(const char *type, const char *prefix, const char *name, const char *size,

@@ -13,8 +13,7 @@ B = build
 D = $(B)/linux
 INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/linux $(patsubst %/,-I%,$(wildcard sim/*/)) -I$(B)/gen
 SOURCES := $(shell $(MAKE) -s --no-print-directory -f Makefile B=$(B) linux-sources)
-MESHES = $(wildcard $(B)/gen/mesh_*.c)
-OBJECTS = $(patsubst %.c,$(D)/obj/%.o,$(SOURCES)) $(patsubst $(B)/gen/%.c,$(D)/obj/gen/%.o,$(MESHES))
+OBJECTS = $(patsubst %.c,$(D)/obj/%.o,$(SOURCES)) $(D)/obj/gen/meshes.o
 
 bookworm trixie: %: $(D)/%/zstrip-linux $(D)/init $(D)/wire
 .PHONY: bookworm trixie
