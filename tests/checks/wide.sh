@@ -1,16 +1,17 @@
 #!/bin/sh
 # What wide.h has in assembler, on emulated cores: a Cortex-M0, an M3, and an M4, which has instructions of its own.
-# That no library is called for it. And what fast/ has in assembler for the Armv6-M.
+# That no library is called for it. And what fast/ has in assembler for the Armv6-M and the Armv7-M.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
 dir=$B/wide
 mkdir -p "$dir"
-# PROGRAM BOARD WHAT: run tests/checks/PROGRAM.c
+# PROGRAM BOARD WHAT: run tests/checks/PROGRAM.c, with PROGRAM_c.c if there is one
 program() {
     for target in all run; do
-        make -s -f firmware/boards/firmware.mk BOARD="$2" NAME="$1" APP_SRC="tests/checks/$1.c" \
+        make -s -f firmware/boards/firmware.mk BOARD="$2" NAME="$1" \
+            APP_SRC="$(echo tests/checks/"$1".c $(ls tests/checks/"$1"_c.c 2>/dev/null))" \
             APP_FLAGS=-Isim/reference B="$top" $target >"$dir/log" 2>&1 ||
             { bad "$1 on $2" "$target: $(tr '\n' ' ' <"$dir/log")"; return; }
     done
@@ -20,6 +21,9 @@ for board in m0 mps2 mps2-m4; do
     program wide $board "products, rows, leading zeros, filling"
 done
 program set_up m0 "rows, area, keys and colours of 200,000 triangles are those of the core"
+for board in mps2 mps2-m7; do
+    program v7m $board "30,000 lists of small triangles and 6,000 meshes are those of the functions in C"
+done
 
 cat >"$dir/calls.c" <<'END'
 #include "arch/wide.h"

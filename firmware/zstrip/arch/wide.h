@@ -388,6 +388,19 @@ static inline int zs_clz64(uint64_t v)
 #define ZS_SET_UP 0
 #endif
 
+/* 1: the core, an Armv7-M or later, has loops by hand over small triangles of one colour
+ * (fast/solid_v7m.c) and over a mesh's triangles (fast/sweep_v7m.c). They count no written pixels.
+ * ZS_V7M = 0 is for tests. */
+#ifndef ZS_V7M
+#if defined(__GNUC__) && defined(__thumb2__) && defined(__ARM_FEATURE_IDIV) &&                     \
+    defined(__ARM_ARCH_PROFILE) && !defined(__ARM_BIG_ENDIAN) && defined(__OPTIMIZE__) &&          \
+    !ZS_FOR_SIZE && !ZS_NO_FAST && !ZS_STATS
+#define ZS_V7M (__ARM_ARCH_PROFILE == 'M')
+#else
+#define ZS_V7M 0
+#endif
+#endif
+
 /* A function that is one piece of assembler. */
 #define ZS_NAKED __attribute__((naked, noinline))
 

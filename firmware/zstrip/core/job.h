@@ -118,12 +118,10 @@ struct zs_kept {
 };
 #endif
 
-/* 1: zs_fast.draw may go on to the triangles that come next. */
-#if ZS_HAS_64 || (ZS_SET_UP && ZS_RP2040)
-#define ZS_CHAIN_USED 1
-#else
-#define ZS_CHAIN_USED 0
-#endif
+/* 1: zs_fast.draw may go on to the triangles that come next; ZS_CHAIN_KEEPS: also from those that
+ * go on below the strip. */
+#define ZS_CHAIN_KEEPS (ZS_HAS_64 || ZS_V7M)
+#define ZS_CHAIN_USED (ZS_CHAIN_KEEPS || (ZS_SET_UP && ZS_RP2040))
 
 /* What a triangle is drawn by. One job serves all triangles of a strip; what is the same for an
  * instance (shader, texture, accelerator) is kept from one to the next. The fields that scanlines,
@@ -174,7 +172,7 @@ struct zs_job {
     int32_t w64_scale;     /* ... and its scale */
 #if ZS_CHAIN_USED
     struct zs_tri *chain; /* all triangles, where fast->draw may go on to the next; or NULL */
-#if ZS_HAS_64
+#if ZS_CHAIN_KEEPS
     uint16_t **keep; /* where the end of the list is that goes on below the strip; or NULL */
 #endif
 #endif

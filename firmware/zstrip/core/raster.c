@@ -277,6 +277,7 @@ void zs_raster_strip(struct zs_renderer *r)
     struct sight sight = sight_of(r);
     const int asked = sight.beside || sight.seen != UINT32_MAX;
     zs_fast_chain(&job, asked ? 0 : r->tri);
+    zs_fast_keep(&job, goes_on ? &keep : 0);
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         job.tri = t;
@@ -289,14 +290,16 @@ void zs_raster_strip(struct zs_renderer *r)
                     r->passes->reach(r, number);
                     job_target(&job);
                     goes_on = r->strip + 1 < r->band_end && job.y1 < job.bottom;
+                    zs_fast_keep(&job, goes_on ? &keep : 0);
                 }
                 whole = job_instance(&job, number);
             }
             if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
                 number = ZS_NIL; /* first touch has ended: call job_instance again, which may now
                                     return a function for small triangles */
-            zs_fast_keep(&job, goes_on ? &keep : 0);
-            if (!ZS_IF_FAST(whole) || !whole(&job)) {
+            if (ZS_IF_FAST(whole) && whole(&job)) {
+                t = zs_fast_reached(&job, t, &list);
+            } else {
                 if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
                 const enum zs_set_up done = whole && zs_fast_tried(&job) ? ZS_SET_UP_NOT
@@ -305,7 +308,6 @@ void zs_raster_strip(struct zs_renderer *r)
                     draw(&job, done || key_plane(&job));
             }
         }
-        t = zs_fast_reached(&job, t, &list);
         if (goes_on && job.row_last > job.y1) {
             *keep = list;
             keep = &t->next;

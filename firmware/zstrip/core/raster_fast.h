@@ -27,7 +27,7 @@ static inline struct zs_tri *zs_fast_reached(const struct zs_job *job, struct zs
 #define zs_fast_chain(job, all) ((void)0)
 #define zs_fast_reached(job, t, list) (t)
 #endif
-#if ZS_HAS_64
+#if ZS_CHAIN_KEEPS
 /* Say where the list ends of triangles that go on below the strip; 0: there are none. */
 #define zs_fast_keep(job, at) ((void)((job)->keep = (at)))
 #else

@@ -217,17 +217,62 @@ SWEEP_EACH uint32_t zs_sweep_each(struct zs_sweep *s, uint32_t t, uint32_t end,
     return t;
 }
 
-#if ZS_SET_UP
+#if ZS_SET_UP || ZS_V7M
 
-/* The same for all, of which most are binned by hand. */
+#if ZS_V7M
+/* Compute the attributes of a record's vertices. */
+ZS_NOINLINE void zs_sweep_attributes(const struct zs_sweep *s, const struct zs_tri *of)
+{
+    for (int k = 0; k < 3; k++)
+        zs_bin_corner(s->r, of->v[k], s->varyings);
+}
+
+/* zs_sweep_by_hand for those that do not face the eye: corners in the other order. */
+ZS_NOINLINE uint32_t zs_sweep_turned(struct zs_sweep *s, uint32_t t, uint32_t end,
+                                     const uint16_t (*tri)[3])
+{
+    uint16_t turned[16][3];
+    uint32_t n;
+    s->keep = 1;
+    do {
+        const uint32_t from = t;
+        n = zs_minu32(end - t, 16u);
+        for (uint32_t k = 0; k < n; k++, tri++) {
+            turned[k][0] = (*tri)[0];
+            turned[k][1] = (*tri)[2];
+            turned[k][2] = (*tri)[1];
+        }
+        t = zs_sweep_by_hand(s, from, from + n, (const uint16_t(*)[3])turned);
+        n -= t - from;
+    } while (n == 0 && t != end);
+    s->keep = -1;
+    return t;
+}
+#endif
+
+/* The same for all, of which most are binned by hand: on Armv7-M as many as the pool has room for. */
 static inline uint32_t sweep(struct zs_sweep *s, uint32_t t, uint32_t end, const uint16_t (*tri)[3])
 {
-    for (;; t++) {
+    for (;;) {
+#if ZS_V7M
+        const uint32_t most = zs_minu32(end - t, (uint32_t)(s->full - s->out));
+        const uint32_t at = s->keep < 0 ? zs_sweep_turned(s, t, t + most, tri)
+                                        : zs_sweep_by_hand(s, t, t + most, tri);
+#else
+        const uint32_t most = end - t;
         const uint32_t at = zs_sweep_by_hand(s, t, end, tri);
+#endif
         tri += at - t;
+        if (at == t + most && most) { /* all */
+            t = at;
+            if (t == end)
+                return t;
+            continue;
+        }
         t = at;
         if (t == end || zs_sweep_each(s, t, t + 1, tri) == t)
             return t;
+        t++;
         tri++;
     }
 }

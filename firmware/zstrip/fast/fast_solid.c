@@ -10,6 +10,7 @@
 #include "core/fx.h"
 #include "core/rows.h"
 #include "fast/small64.h"
+#include "fast/solid_v7m.h"
 #include "zs_fast.h"
 
 /* The distance in bytes from a pixel's key to its colour, for loops that step one pointer only. */
@@ -170,7 +171,7 @@ static int small_draw(struct zs_job *job)
         if (zs_small64_look(&of, job->tri, &s) && zs_small64_keys(&s))
             outcome = zs_small64_place(job, &of, &s);
         if (outcome == ZS_SMALL_NOT)
-            return zs_small64_declined(job, drawn);
+            return zs_small_declined(job, drawn);
         if (outcome == ZS_SMALL_ROWS) {
             w.key = (uint32_t)zs_small64_key(&s);
             w.gx = (uint32_t)s.gx;
@@ -182,6 +183,10 @@ static int small_draw(struct zs_job *job)
     } while (zs_small64_next(job));
     return 1;
 }
+
+#elif ZS_V7M
+
+#define small_draw zs_solid_v7m
 
 #else
 

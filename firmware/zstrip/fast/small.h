@@ -228,4 +228,17 @@ static inline void zs_small_turn(struct zs_sides *w)
     w->sum[turn] = w->next_sum;
 }
 
+#if ZS_CHAIN_KEEPS
+/* Decline job->tri, after those up to `drawn`, which are kept for the strips below; NULL: it
+ * is the first. */
+ZS_ALWAYS_INLINE int zs_small_declined(struct zs_job *job, const struct zs_tri *drawn)
+{
+    if (!drawn)
+        return 0;
+    job->tri = drawn;
+    job->row_last = job->y1;
+    return 1;
+}
+#endif
+
 #endif

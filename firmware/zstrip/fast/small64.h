@@ -193,16 +193,5 @@ ZS_ALWAYS_INLINE int zs_small64_next(struct zs_job *job)
     return 1;
 }
 
-/* Decline job->tri, after those up to `drawn`, which next() has kept for the strips below; NULL: it
- * is the first. */
-ZS_ALWAYS_INLINE int zs_small64_declined(struct zs_job *job, const struct zs_tri *drawn)
-{
-    if (!drawn)
-        return 0;
-    job->tri = drawn;
-    job->row_last = job->y1;
-    return 1;
-}
-
 #endif
 #endif

@@ -9,7 +9,7 @@
 #include "core/fx.h"
 
 /* What the loop over a mesh's triangles needs, in memory: registers are for the
- * triangle in hand. */
+ * triangle in hand. Some are loaded two at a time. */
 struct zs_sweep {
     struct zs_renderer *r;
     const struct zs_vertex *pool; /* what triangles' numbers count from, ... */
@@ -19,11 +19,11 @@ struct zs_sweep {
     uint32_t row, rows; /* of the frame: the first that is drawn in the band, and how many */
     uint32_t strip_mul, strip_shift;
     uint16_t *bin;
+    uint32_t n;    /* number of the next record */
     uint16_t base; /* number of `pool` in the vertex pool */
     uint16_t instance;
     uint32_t varyings; /* of a vertex; 0: they are not computed */
     uint16_t (*face)(const struct zs_shading *s, uint32_t tri);
-    uint32_t n;                /* number of the next record */
     struct zs_tri *out, *full; /* the next record; one beyond the pool's last */
     uint32_t placed;    /* n less the number of triangles that place() has binned, negative */
     uint32_t before;    /* sum of outcomes less number of triangles, at first */
@@ -35,13 +35,15 @@ struct zs_sweep {
 };
 
 /* A core with a loop by hand takes the one in C for what is rare. */
-#if ZS_SET_UP
+#if ZS_SET_UP || ZS_V7M
 #define SWEEP_PART ZS_NOINLINE
 #define SWEEP_EACH ZS_RARE ZS_NOINLINE
 int zs_sweep_outside(struct zs_sweep *s, const uint16_t index[3]);
 uint32_t zs_sweep_aside(struct zs_sweep *s, int32_t empty, int32_t y0, int32_t y1);
 uint32_t zs_sweep_each(struct zs_sweep *s, uint32_t t, uint32_t end, const uint16_t (*tri)[3]);
 uint32_t zs_sweep_by_hand(struct zs_sweep *s, uint32_t t, uint32_t end, const uint16_t (*tri)[3]);
+void zs_sweep_attributes(const struct zs_sweep *s, const struct zs_tri *of);
+uint32_t zs_sweep_turned(struct zs_sweep *s, uint32_t t, uint32_t end, const uint16_t (*tri)[3]);
 #else
 #define SWEEP_PART static ZS_NOINLINE
 #define SWEEP_EACH ZS_ALWAYS_INLINE

@@ -167,7 +167,7 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
         }
         const enum zs_small_outcome outcome = set_up(job, &set, &s, &w);
         if (outcome == ZS_SMALL_NOT)
-            return zs_small64_declined(job, drawn);
+            return zs_small_declined(job, drawn);
         if (outcome == ZS_SMALL_ROWS)
             (may_be_lit && set.lit ? job->texel->small_lit : job->texel->small)(job, t, &w);
         drawn = job->tri;
