@@ -68,7 +68,7 @@ static const struct {
     { "M3", "dither to 1 bit", 2219 },
     { "M3", "4 samples averaged", 1529 },
     { "M3", "a sky of one's own", 1116 },
-    { "M3", "a triangle in a mirror", 33791 },
+    { "M3", "a triangle in a mirror", 37114 },
     { "M3", "a sky of a gradient", 15473 },
     { "M3", "a sky of a panorama", 17023 },
     { "M3", "a pass in windows", 940 },

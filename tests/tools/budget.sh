@@ -260,7 +260,7 @@ budget --size 240x240 --shade textured --state --watch 4 --track 3 --csv
 
 begin numbers_alone_are_a_third_off_at_most # of what the scene's frame takes
 for one in M3,mesh_lit,320x240,816,2520,1262,34.2,1,flat M3,teapot,240x240,1688,3130,1647,58,1.13,smooth \
-    M0,city,240x240,1282,2404,1544,60,1.14,flat M3,sheet,320x240,20000,20000,10201,93,1,flat; do
+    M0,city,240x240,1282,2404,1544,60,1.14,flat M3,sheet,320x240,20000,20000,10201,93,1,id; do
     echo "$one" | tr ',' ' ' >one
     read -r core scene size tris all verts part times shade <one
     budget --size "$size" --strip 24 --buffers 1 --tris "$tris" --scene-tris "$all" --verts "$verts" \
