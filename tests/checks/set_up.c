@@ -11,24 +11,12 @@
 #include "fast/set_up.h"
 #include "hal.h"
 #include "shade/stages.h"
+#include "triangles.h"
 #include "zs_fast.h"
 #include "zs_renderer.h"
 #include "zs_shader.h"
 
 #define TRIANGLES 200000u
-
-static uint32_t next(void)
-{
-    static uint32_t state = 2463534242u;
-    state ^= state << 13;
-    state ^= state >> 17;
-    return state ^= state << 5;
-}
-
-static int32_t within(int32_t most)
-{
-    return (int32_t)(next() % (2u * (uint32_t)most + 1u)) - most;
-}
 
 /* The core's way, as core/raster.c has it. Sets *row_last alone if there are no rows. */
 static enum zs_set_up by_core(struct zs_job *job)
@@ -52,28 +40,6 @@ static enum zs_set_up by_core(struct zs_job *job)
     zs_plane32(&job->geom, a->d, b->d, c->d, ZS_PLANE_KEY, &job->key);
     job->key.base += 0x8000u;
     return ZS_SET_UP_ROWS;
-}
-
-/* A random triangle of up to `extent` sub-pixels, clockwise from its top corner, with keys that
- * differ by up to 2^steep. */
-static void random_triangle(struct zs_vertex v[3], int32_t extent, uint32_t steep)
-{
-    const uint32_t key = next();
-    v[0].x = within(80000);
-    v[0].y = within(80000);
-    for (int k = 1; k < 3; k++) {
-        v[k].x = v[0].x + within(extent);
-        v[k].y = v[0].y + (within(extent) & (extent - 1));
-    }
-    for (int k = 0; k < 3; k++)
-        v[k].d = key ^ next() >> (32u - steep);
-    const int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
-                         (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
-    if (area < 0) {
-        const struct zs_vertex b = v[1];
-        v[1] = v[2];
-        v[2] = b;
-    }
 }
 
 static int same(const struct zs_job *a, const struct zs_job *b)
@@ -155,7 +121,7 @@ int main(void)
     r.view.key_slow = (1u << 29) - 1u;
     r.view.key_known = 0xffffffffu - (2u << 29);
     for (uint32_t t = 0; t < TRIANGLES && !wrong; t++) {
-        random_triangle(pool, 256 << next() % 7u, 1u + next() % 31u);
+        random_triangle(pool, within(80000), within(80000), 256 << next() % 7u, next(), 1u + next() % 31u);
         memset(&fast, 0xa5, sizeof(fast));
         fast.r = &r;
         fast.tri = &tri;

@@ -9,6 +9,7 @@
 #include "core/job.h"
 #include "fast/sweep.h"
 #include "hal.h"
+#include "triangles.h"
 #include "zs_fast.h"
 #include "zs_renderer.h"
 #include "zs_shader.h"
@@ -25,40 +26,6 @@ extern const struct zs_fast solid_in_c; /* v7m_c.c */
 
 static struct zs_renderer r;
 static struct zs_vertex pool[VERTS];
-
-static uint32_t next(void)
-{
-    static uint32_t state = 2463534242u;
-    state ^= state << 13;
-    state ^= state >> 17;
-    return state ^= state << 5;
-}
-
-static int32_t within(int32_t most)
-{
-    return (int32_t)(next() % (2u * (uint32_t)most + 1u)) - most;
-}
-
-/* A random triangle of up to `extent` sub-pixels, clockwise from its top corner, with keys that differ by up to 2^steep
- * about `key`. */
-static void random_triangle(struct zs_vertex v[3], int32_t extent, uint32_t key, uint32_t steep)
-{
-    v[0].x = (int32_t)(next() % (W * 256u + 4000u)) - 2000;
-    v[0].y = within(6000);
-    for (int k = 1; k < 3; k++) {
-        v[k].x = v[0].x + within(extent);
-        v[k].y = v[0].y + (within(extent) & (extent - 1));
-    }
-    for (int k = 0; k < 3; k++)
-        v[k].d = key ^ next() >> (32u - steep);
-    const int64_t area = (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
-                         (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
-    if (area < 0) {
-        const struct zs_vertex b = v[1];
-        v[1] = v[2];
-        v[2] = b;
-    }
-}
 
 /* ---- Triangles ----------------------------------------------------------------------------------------------- */
 
@@ -124,8 +91,8 @@ static int lists(uint32_t n[2])
         r.view.piece_shift = (uint8_t)shift;
         r.view.piece_base = next() % 2u ? 0xffffffffu : 0x7fffffffu;
         for (uint32_t i = 0; i < LIST; i++) {
-            random_triangle(&pool[3u * i], 256 << next() % 7u, key & r.view.piece_base,
-                            1u + next() % (next() % 8u ? 16u : shift));
+            random_triangle(&pool[3u * i], (int32_t)(next() % (W * 256u + 4000u)) - 2000, within(6000),
+                            256 << next() % 7u, key & r.view.piece_base, 1u + next() % (next() % 8u ? 16u : shift));
             tri[i] = (struct zs_tri){ .v = { (uint16_t)(3u * i), (uint16_t)(3u * i + 1u), (uint16_t)(3u * i + 2u) },
                                       .next = (uint16_t)(i + 1u < LIST ? i + 1u : ZS_NIL), .paint = (uint16_t)next(),
                                       .instance = (uint16_t)(next() % 9u == 0) };
