@@ -220,9 +220,10 @@ static int world_hear(struct world *w, struct words *words, uint32_t *said)
         *said = zs_explain_init(&r, &w->config, arena, room, hear, words);
     } else {
         /* nothing is read beyond the last instance */
-        struct zs_instance *const given = w->instance, *const exact = malloc(w->scene.n_instances * sizeof *exact + 1u);
-        if (w->scene.instance == given) {
-            memcpy(exact, given, w->scene.n_instances * sizeof *exact);
+        const uint32_t n = w->scene.n_instances <= 3u ? w->scene.n_instances : 0u;
+        struct zs_instance *const given = w->instance, *const exact = malloc(n * sizeof *exact + 1u);
+        if (w->scene.instance == given && n) {
+            memcpy(exact, given, n * sizeof *exact);
             w->scene.instance = exact;
         }
         err = zs_render(&r, &w->scene, &w->camera, &w->sink);

@@ -250,7 +250,8 @@ ZS_NOINLINE uint32_t zs_sweep_turned(struct zs_sweep *s, uint32_t t, uint32_t en
 }
 #endif
 
-/* The same for all, of which most are binned by hand: on Armv7-M as many as the pool has room for. */
+/* The same for all, of which most are binned by hand: on Armv7-M as many as the pool has room for.
+ */
 static inline uint32_t sweep(struct zs_sweep *s, uint32_t t, uint32_t end, const uint16_t (*tri)[3])
 {
     for (;;) {

@@ -41,8 +41,8 @@ _Static_assert(offsetof(struct zs_tri, next) == 6 && offsetof(struct zs_tri, pai
 
 /* The top corner first: r0, r2: the three, of which r0 holds two; r4, r6: rows from r4 to r6. */
 #define TURN                                                                                       \
-    "17:\n\tadds r4, #127\n\tadd lr, r6, r5, asr #31\n\tadd r9, r12, r7, asr #31\n\torrs lr, lr, r9\n\t"  \
-    "bmi 2f\n\t"                                                                                   \
+    "17:\n\tadds r4, #127\n\tadd lr, r6, r5, asr #31\n\tadd r9, r12, r7, asr #31\n\t"              \
+    "orrs lr, lr, r9\n\tbmi 2f\n\t"                                                                \
     "orr r0, r0, r1, lsl #16\n\tcmp r6, r12\n\tit lt\n\tmovlt r6, r12\n\tadds r6, r6, r4\n\t"      \
     "b 4f\n"                                                                                       \
     "2:\n\tsub lr, r5, r7\n\tsub r9, r6, r12\n\tadds lr, r9, lr, asr #31\n\tbpl 3f\n\t"            \
@@ -96,7 +96,7 @@ ZS_NAKED uint32_t zs_sweep_by_hand(struct zs_sweep *s __attribute__((unused)),
         "movs r4, #6\n\tmls r5, r1, r4, r3\n\tadds r6, r5, r4\n\tmla r7, r2, r4, r5\n\t"
         "ldrh r0, [r0, %[base]]\n\torr r0, r0, r0, lsl #16\n\t"
         "strd r7, r6, [sp]\n\tstr r0, [sp, #8]\n\tb 14f\n"
-        /* the one before r10 has no area, or does not face the eye: it is turned where none is culled */
+        /* the one before r10 has no area, or is turned away: where none is culled it is turned */
         "7:\n\tbeq 15f\n\tldr r9, [r8, %[keep]]\n\tcmp r9, #0\n\tbne 14f\n\t"
         "mov r9, r1\n\tmov r1, r2\n\tmov r2, r9\n\tmov r9, r5\n\tmov r5, r7\n\tmov r7, r9\n\t"
         "mov r9, r6\n\tmov r6, r12\n\tmov r12, r9\n\tb 17f\n"
