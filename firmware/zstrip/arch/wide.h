@@ -403,5 +403,6 @@ static inline int zs_clz64(uint64_t v)
 
 /* A function that is one piece of assembler. */
 #define ZS_NAKED __attribute__((naked, noinline))
+#define ZS_TAKEN __attribute__((unused)) /* of its parameters: it takes them from registers */
 
 #endif

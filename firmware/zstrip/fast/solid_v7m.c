@@ -214,8 +214,7 @@ _Static_assert(F_SHIFT == F_POOL + H(shift) && F_LAST == F_POOL + H(last) && F_E
     "strh r6, [r5]\n\tadds r5, r1, #6\n\tstr r5, [r4]\n\tb 16b\n"
 
 /* Draw tri, and those after it. Return 0 if one is declined, whose predecessor is h->drawn. */
-ZS_NAKED static int list_draw(struct hand *h __attribute__((unused)),
-                              const struct zs_tri *tri __attribute__((unused)))
+ZS_NAKED static int list_draw(struct hand *h ZS_TAKEN, const struct zs_tri *tri ZS_TAKEN)
 {
     __asm__ volatile(
         ".syntax unified\n\t"

@@ -119,10 +119,8 @@ _Static_assert(offsetof(struct zs_tri, next) == 6 && offsetof(struct zs_tri, pai
 /* Bin those that face the eye and are small, up to `end` or to one that is for zs_sweep_each();
  * return its number. r8: s, r9: pool, r10: n_verts, r11: the next triangle's corners; lr: base.
  * [sp]: end of the corners, keep, end. */
-ZS_NAKED uint32_t zs_sweep_by_hand(struct zs_sweep *s __attribute__((unused)),
-                                   uint32_t t __attribute__((unused)),
-                                   uint32_t end __attribute__((unused)),
-                                   const uint16_t (*tri)[3] __attribute__((unused)))
+ZS_NAKED uint32_t zs_sweep_by_hand(struct zs_sweep *s ZS_TAKEN, uint32_t t ZS_TAKEN,
+                                   uint32_t end ZS_TAKEN, const uint16_t (*tri)[3] ZS_TAKEN)
 {
     __asm__ volatile(
         ".syntax unified\n\t"
