@@ -87,10 +87,8 @@ _Static_assert(offsetof(struct zs_tri, next) == 6 && offsetof(struct zs_tri, pai
 ZS_NAKED uint32_t zs_sweep_by_hand(struct zs_sweep *s ZS_TAKEN, uint32_t t ZS_TAKEN,
                                    uint32_t end ZS_TAKEN, const uint16_t (*tri)[3] ZS_TAKEN)
 {
-    __asm__ volatile(
-        ".syntax unified\n\t"
-        "push {r3, r4, r5, r6, r7, r8, r9, r10, r11, lr}\n\tsub sp, #16\n\t"
-        "mov r8, r0\n\tmov r10, r3\n\tldr r11, [r0, %[out]]\n\t"
+    __asm__ volatile(".syntax unified\n\tpush {r3, r4, r5, r6, r7, r8, r9, r10, r11, lr}\n\t"
+        "sub sp, #16\n\tmov r8, r0\n\tmov r10, r3\n\tldr r11, [r0, %[out]]\n\t"
         "movs r4, #6\n\tmls r5, r1, r4, r3\n\tadds r6, r5, r4\n\tmla r7, r2, r4, r5\n\t"
         "ldrh r0, [r0, %[base]]\n\torr r0, r0, r0, lsl #16\n\t"
         "strd r7, r6, [sp]\n\tstr r0, [sp, #8]\n\tb 14f\n"
