@@ -263,15 +263,14 @@ static inline uint32_t sweep(struct zs_sweep *s, uint32_t t, uint32_t end, const
         const uint32_t most = end - t;
         const uint32_t at = zs_sweep_by_hand(s, t, end, tri);
 #endif
+        const int all = at - t == most && most; /* of them; not each has taken a record */
         tri += at - t;
-        if (at == t + most && most) { /* all */
-            t = at;
-            if (t == end)
-                return t;
-            continue;
-        }
         t = at;
-        if (t == end || zs_sweep_each(s, t, t + 1, tri) == t)
+        if (t == end)
+            return t;
+        if (all)
+            continue;
+        if (zs_sweep_each(s, t, t + 1, tri) == t)
             return t;
         t++;
         tri++;
