@@ -265,8 +265,10 @@ for one in M3,mesh_lit,320x240,816,2520,1262,34.2,1,flat M3,teapot,240x240,1688,
     read -r core scene size tris all verts part times shade <one
     budget --size "$size" --strip 24 --buffers 1 --tris "$tris" --scene-tris "$all" --verts "$verts" \
         --scene-verts "$verts" --coverage "$part" --complexity "$times" --shade "$shade" --csv
-    awk -v a="$(csv draw_$core)" -v b="$(sed -n "s/^$core $scene //p" "$top/tests/records/bench.txt")" \
-        'BEGIN { exit !(b > 0 && a / b < 1.34 && a / b > 0.66) }' || wrong "$scene: $(csv draw_$core) on $core"
+    off=0.34
+    [ "$scene" != sheet ] || off=0.2 # its counts are near what is guessed
+    awk -v a="$(csv draw_$core)" -v b="$(sed -n "s/^$core $scene //p" "$top/tests/records/bench.txt")" -v off=$off \
+        'BEGIN { exit !(b > 0 && a / b < 1 + off && a / b > 1 - off) }' || wrong "$scene: $(csv draw_$core) on $core"
 done
 
 begin frames_a_second

@@ -297,9 +297,7 @@ void zs_raster_strip(struct zs_renderer *r)
             if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
                 number = ZS_NIL; /* first touch has ended: call job_instance again, which may now
                                     return a function for small triangles */
-            if (ZS_IF_FAST(whole) && whole(&job)) {
-                t = zs_fast_reached(&job, t, &list);
-            } else {
+            if (!ZS_IF_FAST(whole) || !whole(&job)) {
                 if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
                 const enum zs_set_up done = whole && zs_fast_tried(&job) ? ZS_SET_UP_NOT
@@ -308,6 +306,7 @@ void zs_raster_strip(struct zs_renderer *r)
                     draw(&job, done || key_plane(&job));
             }
         }
+        t = zs_fast_reached(&job, t, &list); /* one that was declined as well */
         if (goes_on && job.row_last > job.y1) {
             *keep = list;
             keep = &t->next;

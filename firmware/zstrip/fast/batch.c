@@ -227,7 +227,8 @@ ZS_NOINLINE void zs_sweep_attributes(const struct zs_sweep *s, const struct zs_t
         zs_bin_corner(s->r, of->v[k], s->varyings);
 }
 
-/* zs_sweep_by_hand for those that do not face the eye: corners in the other order. */
+/* zs_sweep_by_hand where front faces are culled, by corners in the other order: 16 triangles at a
+ * time are copied. */
 ZS_NOINLINE uint32_t zs_sweep_turned(struct zs_sweep *s, uint32_t t, uint32_t end,
                                      const uint16_t (*tri)[3])
 {

@@ -229,8 +229,8 @@ static inline void zs_small_turn(struct zs_sides *w)
 }
 
 #if ZS_CHAIN_KEEPS
-/* Decline job->tri, after those up to `drawn`, which are kept for the strips below; NULL: it
- * is the first. */
+/* Decline job->tri, after those up to `drawn`, which are kept for the strips below; NULL: it is the
+ * first. */
 ZS_ALWAYS_INLINE int zs_small_declined(struct zs_job *job, const struct zs_tri *drawn)
 {
     if (!drawn)
