@@ -108,7 +108,7 @@ scene_tests() { # SCENE, SCENE-2
     [ "$1" != "$scene" ] || [ "$n" -gt 4 ] ||
         awk -v scene="$1" -v now="$(field "$out/$1.txt" draw_cycles)" '
             $1 == scene && (now > 0) && now < $2 * 1.1 { found = 1 } END { exit !found }' tests/records/pico.txt ||
-        bad "pico_$1_cycles" "$(field "$out/$1.txt" draw_cycles) a frame, on record (tests/records/pico.txt, its head) $(
+        bad "pico_$1_cycles" "$(field "$out/$1.txt" draw_cycles) a frame; tests/records/pico.txt has $(
             sed -n "s/^$1 //p" tests/records/pico.txt)"
     [ "$(field "$out/$1.txt" spi_hz)/$(field "$out/$1.txt" spi_mode0)" = 62500000/1 ] ||
         bad "pico_$1_spi" "$(field "$out/$1.txt" spi_hz) Hz"

@@ -267,7 +267,8 @@ for one in M3,mesh_lit,320x240,816,2520,1262,34.2,1,flat M3,teapot,240x240,1688,
         --scene-verts "$verts" --coverage "$part" --complexity "$times" --shade "$shade" --csv
     off=0.34
     [ "$scene" != sheet ] || off=0.2 # its counts are near what is guessed
-    awk -v a="$(csv draw_$core)" -v b="$(sed -n "s/^$core $scene //p" "$top/tests/records/bench.txt")" -v off=$off \
+    awk -v a="$(csv draw_$core)" -v off=$off \
+        -v b="$(sed -n "s/^$core $scene //p" "$top/tests/records/bench.txt")" \
         'BEGIN { exit !(b > 0 && a / b < 1 + off && a / b > 1 - off) }' || wrong "$scene: $(csv draw_$core) on $core"
 done
 
