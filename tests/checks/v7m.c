@@ -1,5 +1,5 @@
-/* What fast/solid_v7m.c and fast/sweep_v7m.c have in assembler against the same in C, on an emulated board: lists of
- * random triangles in a strip, and random meshes. Ends with status 0 where all is right.
+/* What fast/solid_v7m.c, fast/texture_v7m.c and fast/sweep_v7m.c have in assembler against the same in C, on an emulated
+ * board: lists of random triangles in a strip, and random meshes. Ends with status 0 where all is right.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,8 +7,10 @@
 
 #include "core/assemble.h"
 #include "core/job.h"
+#include "fast/small.h"
 #include "fast/sweep.h"
 #include "hal.h"
+#include "shade/texture.h"
 #include "triangles.h"
 #include "zs_fast.h"
 #include "zs_renderer.h"
@@ -22,7 +24,9 @@
 #define VERTS 24u
 #define STRIPS 12u
 
-extern const struct zs_fast solid_in_c; /* v7m_c.c */
+/* v7m_c.c */
+extern const struct zs_fast solid_in_c;
+extern const struct zs_fast *const textured_in_c[3], *const texels_in_c[3];
 
 static struct zs_renderer r;
 static struct zs_vertex pool[VERTS];
@@ -31,37 +35,92 @@ static struct zs_vertex pool[VERTS];
 
 struct drawn {
     uint16_t depth[W * H], color[W * H], list[1 + LIST];
-    uint32_t tested, set_up, end; /* end: number of the last triangle that was drawn; LIST: none */
+    uint32_t tested, set_up, declined; /* declined: triangles, a bit each */
+    uint32_t steps; /* sum of what lit triangles are stepped by */
     int32_t row_last;
 };
 static struct zs_tri tri[LIST];
 
-/* Draw a list by one of them, and keep the list of those that go on below the strip. */
-static void draw(struct drawn *d, const struct zs_fast *by, int by_hand)
+/* What draws them: an accelerator, and loops of the texture's format. */
+struct by {
+    const struct zs_fast *fast;
+    const struct zs_fast_texel *texel;
+};
+
+/* The last bit of a coordinate is not seen in a list's pixels: sum up the words themselves. */
+static uint32_t steps;
+static void step(const struct zs_texel_rows *w)
+{
+    const uint32_t word[] = { w->at[0], w->at[1], w->at[2], w->down[0], w->down[1], w->down[2], w->right[0],
+                              w->right[1], w->right[2], w->light, w->light_right, w->light_down, w->width, w->column,
+                              w->row, w->sides.sum[0], w->sides.sum[1] };
+    for (uint32_t i = 0; i < sizeof(word) / sizeof(word[0]); i++)
+        steps = steps * 16777619u + word[i];
+}
+static const struct zs_fast_texel *of_hand, *of_c; /* of the format */
+static void lit_by_hand(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w)
+{
+    step(w);
+    of_hand->small_lit(job, t, w);
+}
+static void lit_in_c(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w)
+{
+    step(w);
+    of_c->small_lit(job, t, w);
+}
+
+/* Return 1 if job->tri has no row in the strip, which the core then finds; row_last is set. */
+static int no_row(struct zs_job *job)
+{
+    const uint16_t *v = job->tri->v;
+    const int32_t y = pool[v[0]].y;
+    job->row_last = zs_first_sample(zs_max32(pool[v[1]].y, pool[v[2]].y));
+    return zs_min32(job->row_last, job->y1) <= zs_max32(zs_first_sample(y), job->y0);
+}
+
+/* Draw a list, and keep the list of those that go on below the strip. In C if in_c is NULL; else by hand, and what is
+ * declined then in C. Return how many of those C does not decline. */
+static uint32_t draw(struct drawn *d, struct by by, const struct by *in_c, const struct zs_texture *texture)
 {
     struct zs_job job;
     uint16_t active = ZS_NIL, *keep = &active;
     struct zs_tri before[LIST];
+    uint32_t more = 0;
     memcpy(before, tri, sizeof(tri));
     memset(&job, 0, sizeof(job));
     r.stats.pixels_tested = r.stats.tris_setup = 0;
+    r.lit.of = 0;
     job.r = &r;
     job.y0 = 0;
     job.y1 = H;
     job.width = job.pitch = W;
     job.depth = d->depth;
     job.color = d->color;
-    d->end = LIST;
+    job.shader = by.fast->shader;
+    job.fast = by.fast;
+    job.texture = texture;
+    job.texel = by.texel;
+    steps = 0;
+    job.kept.of = ZS_NIL;
+    d->declined = 0;
     for (uint32_t i = 0; i != ZS_NIL; i = tri[i].next) {
         job.tri = &tri[i];
-        if (by_hand) {
-            job.chain = tri;
-            job.keep = &keep;
+        job.chain = in_c ? tri : 0;
+        job.keep = in_c ? &keep : 0;
+        int done = by.fast->draw(&job);
+        if (!done && in_c) {
+            struct zs_job other = job;
+            other.fast = in_c->fast;
+            other.texel = in_c->texel;
+            done = in_c->fast->draw(&other);
+            job.row_last = other.row_last;
+            more += done != 0;
         }
-        if (!by->draw(&job))
-            break;
+        if (!done && !no_row(&job)) {
+            d->declined |= 1u << i;
+            continue;
+        }
         i = (uint32_t)(job.tri - tri);
-        d->end = i;
         d->row_last = job.row_last;
         if (job.row_last > job.y1) {
             *keep = (uint16_t)i;
@@ -76,44 +135,110 @@ static void draw(struct drawn *d, const struct zs_fast *by, int by_hand)
     memcpy(tri, before, sizeof(tri));
     d->tested = r.stats.pixels_tested;
     d->set_up = r.stats.tris_setup;
+    d->steps = steps;
+    if (d->declined >> (LIST - 1u)) /* then it is not known of the one before */
+        d->row_last = 0;
+    return more;
 }
 
-/* Return not 0 where they differ. *n: triangles drawn, declined. */
-static int lists(uint32_t n[2])
+/* A list of random triangles. */
+static void random_list(uint32_t key, uint32_t steep)
 {
-    static struct drawn c, hand;
+    for (uint32_t i = 0; i < LIST; i++) {
+        random_triangle(&pool[3u * i], (int32_t)(next() % (W * 256u + 4000u)) - 2000, within(6000), 256 << next() % 7u,
+                        key & r.view.piece_base, 1u + next() % (next() % 8u ? steep : r.view.piece_shift));
+        tri[i] = (struct zs_tri){ .v = { (uint16_t)(3u * i), (uint16_t)(3u * i + 1u), (uint16_t)(3u * i + 2u) },
+                                  .next = (uint16_t)(i + 1u < LIST ? i + 1u : ZS_NIL), .paint = (uint16_t)next(),
+                                  .instance = (uint16_t)(next() % 9u == 0) };
+    }
+}
+
+/* Draw it by hand and in C over the same random strip. Return not 0 where they differ. n: set up, lists with a triangle
+ * that was declined, triangles that C does not decline. */
+static int same(struct by hand, struct by in_c, const struct zs_texture *texture, uint32_t key, uint32_t n[3])
+{
+    static struct drawn a, b;
+    const uint32_t far = next() % 3u;
+    for (uint32_t i = 0; i < W * H; i++) {
+        a.depth[i] = b.depth[i] = far ? (uint16_t)(0xffffu - (far == 1 ? next() : 0)) : (uint16_t)(key >> 16);
+        a.color[i] = b.color[i] = 0;
+    }
+    a.row_last = b.row_last = 0;
+    draw(&a, in_c, 0, texture);
+    n[2] += draw(&b, hand, &in_c, texture);
+    n[0] += a.set_up;
+    n[1] += a.declined != 0;
+    return memcmp(&a, &b, sizeof(a));
+}
+
+/* Of one colour. */
+static int lists(uint32_t n[3])
+{
     static const uint8_t shifts[] = { 19, 24, 29, 31 };
-    r.vert = pool;
-    r.tri = tri;
+    const struct by hand = { &zs_fast_raw, 0 }, in_c = { &solid_in_c, 0 };
     for (uint32_t l = 0; l < LISTS; l++) {
-        const uint32_t shift = shifts[next() % 4u];
         const uint32_t key = next() % 4u ? next() : 0u - (next() >> (8u + next() % 12u));
+        r.view.piece_shift = shifts[next() % 4u];
+        r.view.piece_base = next() % 2u ? 0xffffffffu : 0x7fffffffu;
+        random_list(key, 16u);
+        if (same(hand, in_c, 0, key, n))
+            return 1;
+    }
+    return n[2] != 0; /* what C draws is drawn by hand */
+}
+
+/* Textured ones. */
+static int textured(uint32_t n[3])
+{
+    static const struct zs_fast *const texels[] = { &zs_fast_565, &zs_fast_pal8, &zs_fast_pal4 },
+                                *const shaders[] = { &zs_fast_texture, &zs_fast_texture_flat, &zs_fast_texture_smooth };
+    static uint16_t texel[4096], few[4096], palette[256], attr[3u * VERTS];
+    static struct zs_mesh mesh;
+    static const struct zs_instance instance[2] = { { .mesh = &mesh }, { .mesh = &mesh } };
+    static const struct zs_scene scene = { .instance = instance };
+    r.scene = &scene;
+    r.attr = attr;
+    for (uint32_t i = 0; i < 4096u; i++) {
+        texel[i] = (uint16_t)next();
+        few[i] = (uint16_t)(next() % 40u << 8 | next() % 40u);
+    }
+    for (uint32_t i = 0; i < 256u; i++)
+        palette[i] = (uint16_t)next();
+    for (uint32_t l = 0; l < LISTS; l++) {
+        const uint32_t format = next() % 3u, shader = next() % 3u, log2_w = next() % 11u, shift = 20u + next() % 10u;
+        of_hand = texels[format]->texel;
+        of_c = texels_in_c[format]->texel;
+        const struct zs_fast_texel by_hand = { .small_lit = lit_by_hand },
+                                   by_c = { .small = of_c->small, .small_lit = lit_in_c };
+        const struct by hand = { shaders[shader], &by_hand }, in_c = { textured_in_c[shader], &by_c };
+        const uint32_t is_few = next() % 2u; /* colours of a palette, which is lit as a whole then */
+        const struct zs_texture t = { .format = texels[format]->format, .texel = is_few ? few : texel, .palette = palette,
+                                      .n_colors = (uint16_t)(format == 2 ? 16 : is_few ? 40 : 256),
+                                      .log2_w = (uint8_t)log2_w,
+                                      .log2_h = (uint8_t)(next() % (12u - log2_w < 11u ? 13u - log2_w : 11u)),
+                                      .clamp = next() % 50u == 0 };
+        mesh.uv_bits = (uint8_t)(next() % 16u);
+        r.config.varyings = (uint8_t)(shader == 2 || next() % 2u ? 3 : 2);
         r.view.piece_shift = (uint8_t)shift;
         r.view.piece_base = next() % 2u ? 0xffffffffu : 0x7fffffffu;
-        for (uint32_t i = 0; i < LIST; i++) {
-            random_triangle(&pool[3u * i], (int32_t)(next() % (W * 256u + 4000u)) - 2000, within(6000),
-                            256 << next() % 7u, key & r.view.piece_base, 1u + next() % (next() % 8u ? 16u : shift));
-            tri[i] = (struct zs_tri){ .v = { (uint16_t)(3u * i), (uint16_t)(3u * i + 1u), (uint16_t)(3u * i + 2u) },
-                                      .next = (uint16_t)(i + 1u < LIST ? i + 1u : ZS_NIL), .paint = (uint16_t)next(),
-                                      .instance = (uint16_t)(next() % 9u == 0) };
-        }
-        const uint32_t far = next() % 3u;
-        for (uint32_t i = 0; i < W * H; i++) {
-            c.depth[i] = hand.depth[i] = far ? (uint16_t)(0xffffu - (far == 1 ? next() : 0)) : (uint16_t)(key >> 16);
-            c.color[i] = hand.color[i] = 0;
-        }
-        c.row_last = hand.row_last = 0;
-        draw(&c, &solid_in_c, 0);
-        draw(&hand, &zs_fast_raw, 1);
-        /* beyond a triangle that was declined, row_last is not that of the one before */
-        if (c.end + 1u < LIST && c.end != LIST)
-            c.row_last = hand.row_last = 0;
-        if (memcmp(&c, &hand, sizeof(c)))
+        r.view.key_slow = (1u << shift) - 1u;
+        r.view.key_known = r.view.piece_base - (2u << shift);
+        const uint32_t key = next() % 8u ? next() : 0u - (next() >> (8u + next() % 12u));
+        /* of coordinates: to a repeat, or as far as they go */
+        const uint32_t far = next() % 4u && mesh.uv_bits < 13 ? mesh.uv_bits + 1u : 16u;
+        random_list(key, shift - 4u);
+        for (uint32_t v = 0; v < VERTS; v++)
+            for (uint32_t k = 0; k < 3u; k++) {
+                const uint32_t before = v % 3u ? attr[(v - 1u) * r.config.varyings + k] : next();
+                attr[v * r.config.varyings + k] = (uint16_t)(before + (uint32_t)within(1 << next() % far));
+            }
+        for (uint32_t i = 0; i < LIST; i++)
+            if (next() % 4u == 0)
+                tri[i].paint = ZS_TEXTURE_FULL_LIGHT;
+        if (same(hand, in_c, &t, key, n))
             return 1;
-        n[0] += c.set_up;
-        n[1] += c.end + 1u < LIST || c.end == LIST;
     }
-    return 0;
+    return n[2] > n[0] / 10u; /* few are declined by hand alone */
 }
 
 /* ---- Meshes -------------------------------------------------------------------------------------------------- */
@@ -232,21 +357,27 @@ static int meshes(uint32_t n[ZS_OUTCOMES])
 
 int main(void)
 {
-    uint32_t n[2] = { 0, 0 }, outcome[ZS_OUTCOMES] = { 0 };
+    uint32_t n[3] = { 0, 0, 0 }, t[3] = { 0, 0, 0 }, outcome[ZS_OUTCOMES] = { 0 };
     if (hal_init())
         hal_exit(2);
+    r.vert = pool;
+    r.tri = tri;
     if (lists(n)) {
         hal_write("lists of triangles differ\n");
         hal_exit(1);
+    }
+    if (textured(t)) {
+        hal_write("lists of textured triangles differ\n");
+        hal_exit(5);
     }
     if (meshes(outcome)) {
         hal_write("meshes differ\n");
         hal_exit(3);
     }
     /* each way is one that was looked at */
-    if (n[0] < 2u * LISTS || n[1] < LISTS / 10u || outcome[ZS_OUTCOME_DRAWN] < MESHES ||
-        outcome[ZS_OUTCOME_OFFSCREEN] < MESHES / 10u || outcome[ZS_OUTCOME_EMPTY] < MESHES / 50u ||
-        outcome[ZS_OUTCOME_INDEX] < MESHES / 10u) {
+    if (n[0] < 2u * LISTS || n[1] < LISTS / 10u || t[0] < LISTS || t[1] < LISTS / 10u ||
+        outcome[ZS_OUTCOME_DRAWN] < MESHES || outcome[ZS_OUTCOME_OFFSCREEN] < MESHES / 10u ||
+        outcome[ZS_OUTCOME_EMPTY] < MESHES / 50u || outcome[ZS_OUTCOME_INDEX] < MESHES / 10u) {
         hal_write("outcomes are seldom\n");
         hal_exit(4);
     }

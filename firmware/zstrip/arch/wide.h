@@ -388,8 +388,8 @@ static inline int zs_clz64(uint64_t v)
 #define ZS_SET_UP 0
 #endif
 
-/* 1: the core, an Armv7-M or later, has loops by hand over small triangles of one colour
- * (fast/solid_v7m.c) and over a mesh's triangles (fast/sweep_v7m.c). They count no written pixels.
+/* 1: the core, an Armv7-M or later, has loops by hand over small triangles (fast/solid_v7m.c,
+ * fast/texture_v7m.c) and over a mesh's triangles (fast/sweep_v7m.c). They count no written pixels.
  * ZS_V7M = 0 is for tests. */
 #ifndef ZS_V7M
 #if defined(__GNUC__) && defined(__thumb2__) && defined(__ARM_FEATURE_IDIV) &&                     \

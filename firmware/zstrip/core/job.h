@@ -118,6 +118,31 @@ struct zs_kept {
 };
 #endif
 
+#if ZS_V7M
+/* What fast/texture_v7m.c keeps from one triangle of an instance to the next. */
+struct zs_kept {
+    /* shifts from v and u to row and column, 256 subtracted from the first; the texture's width */
+    uint32_t row, column, width;
+    const void *texel; /* the texture's */
+    const uint16_t *palette;
+    uint32_t pixel;                    /* which loop of pixels */
+    uint32_t up[2];                    /* log2 of the size that counts for the error */
+    uint32_t bits, slow, bias[2];      /* 32 - uv_bits; for zs_texture_affine; 2^-9 texels */
+    uint32_t shift, last;              /* log2 of a linear piece; the least depth declined */
+    const uint16_t *attr;              /* r->attr, and bytes of a vertex there */
+    uint32_t attr_bytes;
+    const struct zs_vertex *pool;      /* r->vert */
+    uint32_t edge;                     /* as in fast/solid_v7m.c, like base and beside */
+    int32_t width_px, y0, y1;          /* the job's width */
+    uint32_t pitch;                    /* bytes from row to row */
+    uintptr_t base, beside;
+    const struct zs_tri *all;          /* r->tri */
+    uint16_t **keep;                   /* the job's */
+    uint32_t chain;                    /* the instance, if the list may be gone on in; 65536 */
+    uint32_t of;                       /* the instance's number; ZS_NIL: none */
+};
+#endif
+
 /* 1: zs_fast.draw may go on to the triangles that come next; ZS_CHAIN_KEEPS: also from those that
  * go on below the strip. */
 #define ZS_CHAIN_KEEPS (ZS_HAS_64 || ZS_V7M)
@@ -176,7 +201,7 @@ struct zs_job {
     uint16_t **keep; /* where the end of the list is that goes on below the strip; or NULL */
 #endif
 #endif
-#if ZS_SET_UP && ZS_RP2040
+#if ZS_V7M || (ZS_SET_UP && ZS_RP2040)
     struct zs_kept kept;
 #endif
 };

@@ -80,10 +80,15 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
     const uint32_t pitch = w->sides.down[0];
     const void *const texel = t->texel;
     const uint16_t *const palette = t->palette;
+#if ZS_V7M
+    uintptr_t row = (uintptr_t)w->sides.row, end = row + (uint32_t)w->sides.mid * pitch;
+    const uintptr_t last = row + (uint32_t)w->sides.end * pitch;
+#else
     uintptr_t row = (uintptr_t)job->depth + (uint32_t)(w->sides.row - job->y0) * pitch +
                     w->sides.left;
     uintptr_t end = row + (uint32_t)(w->sides.mid - w->sides.row) * pitch;
     const uintptr_t last = row + (uint32_t)(w->sides.end - w->sides.row) * pitch;
+#endif
     const uint32_t *const word = (const uint32_t *)(const void *)w;
     int32_t written = 0;
     w->at[3] = 0;
@@ -224,8 +229,8 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
     {                                                                                              \
         rows(job, zs_read_##name);                                                                 \
     }                                                                                              \
-    static void small_##name(struct zs_job *job, const struct zs_texture *t,                       \
-                             struct zs_texel_rows *w)                                              \
+    ZS_TAKEN static void small_##name(struct zs_job *job, const struct zs_texture *t,              \
+                                      struct zs_texel_rows *w)                                     \
     {                                                                                              \
         SMALL(job, t, w, zs_read_##name, 0);                                                       \
     }                                                                                              \
@@ -236,7 +241,9 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
     }                                                                                              \
     static const struct zs_fast_texel texel_##name = { .gather = gather_##name,                    \
                                                        .rows = rows_##name,                        \
-                                                       .small = ZS_DIVIDES ? small_##name : 0,     \
+                                                       .small = ZS_DIVIDES && !ZS_V7M              \
+                                                                    ? small_##name                 \
+                                                                    : 0,                           \
                                                        .small_lit = ZS_DIVIDES ? small_lit_##name  \
                                                                                : 0 };              \
     const struct zs_fast zs_fast_##name = { .format = &zs_texel_##name, .texel = &texel_##name };

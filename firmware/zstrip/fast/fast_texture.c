@@ -13,6 +13,7 @@
 #include "fast/set_up.h"
 #include "fast/small.h"
 #include "fast/texture64.h"
+#include "fast/texture_v7m.h"
 #include "shade/texture.h"
 #include "zs_fast.h"
 
@@ -96,6 +97,52 @@ static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s,
     return 1;
 }
 
+#if ZS_V7M
+
+/* Light a triangle that is set up, as zs_texture_lit_fn says. */
+static int lit(struct zs_job *job, struct zs_texture_hand *h)
+{
+    const struct zs_texture *t = job->texture;
+    job->tri = h->tri;
+    job->sampler.unlit = job->shader->n_varyings == 2 && job->tri->paint == ZS_TEXTURE_FULL_LIGHT;
+    if (!job->sampler.unlit)
+        t = palette_lit(job, t); /* of the same format */
+    h->of.palette = t->palette;
+    if (job->sampler.unlit)
+        return 2;
+    h->w.sides.down[0] = h->of.pitch;
+    h->w.width = h->of.width;
+    h->w.column = h->of.column;
+    h->w.row = h->of.row & 255u;
+    const struct zs_small s = { .dx1 = h->dx1,
+                                .dx2 = h->dx2,
+                                .dy1 = h->dy1,
+                                .dy2 = h->dy2,
+                                .rcp = h->rcp,
+                                .shift = 22 - h->down,
+                                .x = h->x,
+                                .off = h->off };
+    const uint16_t *const v = job->tri->v;
+    const uint32_t varyings = job->r->config.varyings;
+    if (!light(job, &s, h->change, h->of.attr + v[0] * varyings,
+               h->of.attr + v[1] * varyings, h->of.attr + v[2] * varyings, &h->w))
+        return 0;
+    job->texel->small_lit(job, t, &h->w);
+    return 1;
+}
+
+static int draw_unlit(struct zs_job *job)
+{
+    return zs_texture_v7m(job, 0);
+}
+
+static int draw_lit(struct zs_job *job)
+{
+    return zs_texture_v7m(job, lit);
+}
+
+#else
+
 ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
 {
     struct zs_small s;
@@ -169,6 +216,7 @@ ZS_IN_ORDER static int draw_lit(struct zs_job *job)
     return draw(job, 1);
 }
 
+#endif
 #endif
 
 /* ---- Perspective division, several pixels at a time ------------------------------------------ */
