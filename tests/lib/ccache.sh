@@ -1,14 +1,18 @@
 # Sourced with $build: compilers through ccache, where it is installed. Many programs and parts compile the same source
-# with the same options: once. The cache is of this build folder. Headers are those that the compiler names (-MMD),
-# without running the preprocessor by itself; where a copy of the repository lies does not matter.
+# with the same options: once. The cache is the user's own, so that another build folder or clone finds there what it
+# compiles alike; CCACHE_DIR says another place, and where neither can be written it is in the build folder. Headers are
+# those that the compiler names (-MMD), without running the preprocessor by itself; where a copy of the repository lies
+# does not matter.
 ccache=$(command -v ccache)
 if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
-    CCACHE_DIR=$(cd "$build/ccache" && pwd)
-    for compiler in gcc cc clang arm-none-eabi-gcc arm-linux-gnueabihf-gcc riscv64-unknown-elf-gcc \
+    ccache_links=$(cd "$build/ccache/bin" && pwd)
+    for compiler in gcc g++ cc clang clang++ arm-none-eabi-gcc arm-linux-gnueabihf-gcc riscv64-unknown-elf-gcc \
         powerpc-linux-gnu-gcc; do
-        ln -sf "$ccache" "$CCACHE_DIR/bin/$compiler"
+        ln -sf "$ccache" "$ccache_links/$compiler"
     done
-    PATH=$CCACHE_DIR/bin:$PATH
+    PATH=$ccache_links:$PATH
+    CCACHE_DIR=${CCACHE_DIR:-$(ccache --get-config cache_dir)}
+    mkdir -p "$CCACHE_DIR" && [ -w "$CCACHE_DIR" ] || CCACHE_DIR=$(dirname "$ccache_links")
     CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1 CCACHE_NOCOMPRESS=1
     export PATH CCACHE_DIR CCACHE_DEPEND CCACHE_NOHASHDIR CCACHE_NOCOMPRESS
 fi
