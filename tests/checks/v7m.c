@@ -25,6 +25,7 @@
 #define STRIPS 12u
 
 /* v7m_c.c */
+uint32_t sweep_in_c(struct zs_sweep *s, uint32_t t, uint32_t end, const uint16_t (*tri)[3]);
 extern const struct zs_fast solid_in_c;
 extern const struct zs_fast *const textured_in_c[3], *const texels_in_c[3];
 
@@ -281,7 +282,7 @@ static void bin(struct binned *b, const struct zs_sweep *of, const uint16_t (*me
     r.bin = b->bin;
     b->reached = from;
     if (!by_hand)
-        b->reached = zs_sweep_each(&s, from, TRIS, mesh + from);
+        b->reached = sweep_in_c(&s, from, TRIS, mesh + from);
     else /* as sweep() of fast/batch.c */
         while (b->reached < TRIS) {
             const uint32_t at = s.keep < 0 ? zs_sweep_turned(&s, b->reached, TRIS, mesh + b->reached)

@@ -28,6 +28,7 @@ struct zs_bounds;
 struct zs_job;
 struct zs_row;
 struct zs_texel_rows;
+struct zs_texture_hand;
 
 /* First touch: a strip is not cleared before it is drawn. The first triangle at an uncleared pixel
  * is drawn without a depth test. */
@@ -160,6 +161,12 @@ struct zs_fast {
     /* Loops of one texel format. */
     const struct zs_texel *format;
     const struct zs_fast_texel *texel;
+
+#if ZS_V7M
+    /* Textured shaders with light: light a triangle that zs_texture_v7m has set up. Return 0: it is
+     * declined; 1: it has been drawn; 2: it is to be drawn with h->of.palette and without light. */
+    int (*shine)(struct zs_job *job, struct zs_texture_hand *h);
+#endif
 };
 
 #endif

@@ -201,7 +201,7 @@ SWEEP_EACH uint32_t zs_sweep_each(struct zs_sweep *s, uint32_t t, uint32_t end,
             continue;
         if (ZS_SELDOM(!wide && area == 0)) {
             s->outcome[ZS_OUTCOME_ZERO]++;
-        } else if (wide || s->out == s->full) {
+        } else if (wide || s->out == s->full || ZS_V7M) { /* there all others are binned by hand */
             if (s->by_batches || !slow_case(s, t))
                 break;
         } else {

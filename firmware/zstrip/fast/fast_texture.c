@@ -99,8 +99,8 @@ static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s,
 
 #if ZS_V7M
 
-/* Light a triangle that is set up, as zs_texture_lit_fn says. */
-static int lit(struct zs_job *job, struct zs_texture_hand *h)
+/* zs_fast.shine */
+static int shine(struct zs_job *job, struct zs_texture_hand *h)
 {
     const struct zs_texture *t = job->texture;
     job->tri = h->tri;
@@ -131,15 +131,9 @@ static int lit(struct zs_job *job, struct zs_texture_hand *h)
     return 1;
 }
 
-static int draw_unlit(struct zs_job *job)
-{
-    return zs_texture_v7m(job, 0);
-}
-
-static int draw_lit(struct zs_job *job)
-{
-    return zs_texture_v7m(job, lit);
-}
+#define draw_unlit zs_texture_v7m
+#define draw_lit zs_texture_v7m
+#define SHINE .shine = shine,
 
 #else
 
@@ -392,12 +386,15 @@ static int texture_rows(struct zs_job *job)
 }
 
 #define BY_LANES (ZS_LANES_USED && ZS_SET_UP ? zs_lanes_texture_draw : 0)
-#define TEXTURE(shader_, draw_, lit_)                                                              \
+#ifndef SHINE
+#define SHINE
+#endif
+#define TEXTURE(shader_, draw_, shine_, lit_)                                                      \
     {                                                                                              \
-        START .shader = shader_, .draw = ZS_DIVIDES ? draw_ : BY_LANES, .rows = texture_rows,      \
+        START shine_ .shader = shader_, .draw = ZS_DIVIDES ? draw_ : BY_LANES, .rows = texture_rows,      \
         .span = zs_fast_less, .lit = lit_, .divided = divided                                      \
     }
 
-const struct zs_fast zs_fast_texture = TEXTURE(&zs_shade_texture, draw_unlit, 0);
-const struct zs_fast zs_fast_texture_flat = TEXTURE(&zs_shade_texture_flat, draw_lit, palette_lit);
-const struct zs_fast zs_fast_texture_smooth = TEXTURE(&zs_shade_texture_smooth, draw_lit, 0);
+const struct zs_fast zs_fast_texture = TEXTURE(&zs_shade_texture, draw_unlit, , 0);
+const struct zs_fast zs_fast_texture_flat = TEXTURE(&zs_shade_texture_flat, draw_lit, SHINE, palette_lit);
+const struct zs_fast zs_fast_texture_smooth = TEXTURE(&zs_shade_texture_smooth, draw_lit, SHINE, 0);

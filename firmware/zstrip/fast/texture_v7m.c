@@ -23,6 +23,7 @@
 
 #include "fast/small_v7m.h"
 #include "shade/texture.h"
+#include "zs_fast.h"
 
 /* The stack: struct zs_texture_hand. SIDE: span and step of the left side; SIDE_2: of the right
  * one. The rest is as in fast/solid_v7m.c. */
@@ -280,12 +281,19 @@ static int end(struct zs_job *job, const struct zs_texture_hand *h, int all)
     return 1;
 }
 
-ZS_NAKED int zs_texture_v7m(struct zs_job *job ZS_TAKEN, zs_texture_lit_fn *lit ZS_TAKEN)
+/* Called for each triangle of a shader with light. */
+static ZS_NOINLINE int shine(struct zs_job *job, struct zs_texture_hand *h)
+{
+    return job->fast->shine(job, h);
+}
+
+ZS_NAKED int zs_texture_v7m(struct zs_job *job ZS_TAKEN)
 {
     __asm__ volatile(
         ".syntax unified\n\t"
         "push {r3, r4, r5, r6, r7, r8, r9, r10, r11, lr}\n\tsub sp, #" NUMBER(F_BYTES) "\n\t"
-        "strd r1, r0, " AT(LIT) "\n\tldr r3, [r0, %[tri]]\n\tldrh r3, [r3, #10]\n\t"
+        "ldr r1, [r0, %[fast]]\n\tldr r1, [r1, %[shine]]\n\tstrd r1, r0, " AT(LIT) "\n\t"
+        "ldr r3, [r0, %[tri]]\n\tldrh r3, [r3, #10]\n\t"
         "ldr r2, [r0, %[of]]\n\tcmp r2, r3\n\tbeq 36f\n\tbl %c[begin]\n\tcmp r0, #0\n\tbeq 35f\n\t"
         "ldr r0, " AT(JOB) "\n"
         "36:\n\tldr r1, [r0, %[tri]]\n\tadd r0, r0, %[kept]\n\tadd r2, sp, #" NUMBER(F_KEPT) "\n\t"
@@ -308,14 +316,15 @@ ZS_NAKED int zs_texture_v7m(struct zs_job *job ZS_TAKEN, zs_texture_lit_fn *lit 
         "18:\n\tmovs r2, #1\n"
         "19:\n\tldr r0, " AT(JOB) "\n\tmov r1, sp\n\tbl %c[end]\n"
         "35:\n\tadd sp, #" NUMBER(F_BYTES) "\n\tpop {r3, r4, r5, r6, r7, r8, r9, r10, r11, pc}\n"
-        "28:\n\tldr r0, " AT(JOB) "\n\tmov r1, sp\n\tblx r4\n\tcmp r0, #1\n\tbhi 29b\n\tblo 9b\n\t"
+        "28:\n\tldr r0, " AT(JOB) "\n\tmov r1, sp\n\tbl %c[called]\n\tcmp r0, #1\n\tbhi 29b\n\tblo 9b\n\t"
         "ldr r1, " AT(SET_UP) "\n\tadds r1, #1\n\tstr r1, " AT(SET_UP) "\n\tb 8b\n"
         "21:\n\t" BIG("r0", "r12", "3b")
         "22:\n\t" BIG("r12", "lr", "4b")
         NARROW GENTLY NEAR_SIDES("ldr r11, " AT(WIDTH_PX)) GOES_ON("ldr r4, " AT(KEEP))
         ".align 2\n30:\n\t.word zs_recip_table, 0xaaaaaaab\n34:\n\t.word 31b + 1, 32b + 1, 33b + 1\n"
         :
-        : [begin] "i"(begin), [end] "i"(end), [tri] "i"(offsetof(struct zs_job, tri)),
+        : [fast] "i"(offsetof(struct zs_job, fast)), [shine] "i"(offsetof(struct zs_fast, shine)),
+          [called] "i"(shine), [begin] "i"(begin), [end] "i"(end), [tri] "i"(offsetof(struct zs_job, tri)),
           [kept] "i"(offsetof(struct zs_job, kept)),
           [of] "i"(offsetof(struct zs_job, kept.of)));
 }

@@ -11,12 +11,6 @@
 
 #include "fast/small.h"
 
-struct zs_texture_hand;
-
-/* Called for each triangle that is about to be drawn. Return 0: it is declined; 1: it has been
- * drawn; 2: draw it with h->of.palette and without light. */
-typedef int zs_texture_lit_fn(struct zs_job *job, struct zs_texture_hand *h);
-
 /* The stack frame of the function in assembler. */
 struct zs_texture_hand {
     struct zs_texel_rows w;        /* sides.row is an address; mid and end count from it */
@@ -30,13 +24,13 @@ struct zs_texture_hand {
     const struct zs_tri *drawn;    /* the last that was drawn */
     int32_t row_last;              /* of tri */
     uint32_t tested, set_up;       /* number of pixels, of triangles */
-    zs_texture_lit_fn *lit;        /* NULL: all texels are drawn as they are */
+    uint32_t lit;                  /* not 0: job->fast->shine is called for each triangle */
     struct zs_job *job;
     struct zs_kept of;             /* a copy of job->kept */
 };
 
 /* Draw job->tri, and those after it as long as none is declined, as zs_fast.draw. */
-int zs_texture_v7m(struct zs_job *job, zs_texture_lit_fn *lit);
+int zs_texture_v7m(struct zs_job *job);
 
 #endif
 
