@@ -42,6 +42,11 @@ struct drawn {
 };
 static struct zs_tri tri[LIST];
 
+/* The viewport's part of the strip. */
+static struct {
+    int32_t x, width, y0, y1;
+} part;
+
 /* What draws them: an accelerator, and loops of the texture's format. */
 struct by {
     const struct zs_fast *fast;
@@ -92,11 +97,12 @@ static uint32_t draw(struct drawn *d, struct by by, const struct by *in_c, const
     r.stats.pixels_tested = r.stats.tris_setup = 0;
     r.lit.of = 0;
     job.r = &r;
-    job.y0 = 0;
-    job.y1 = H;
-    job.width = job.pitch = W;
-    job.depth = d->depth;
-    job.color = d->color;
+    job.y0 = part.y0;
+    job.y1 = part.y1;
+    job.width = part.width;
+    job.pitch = W;
+    job.depth = d->depth + part.x;
+    job.color = d->color + part.x;
     job.shader = by.fast->shader;
     job.fast = by.fast;
     job.texture = texture;
@@ -142,12 +148,17 @@ static uint32_t draw(struct drawn *d, struct by by, const struct by *in_c, const
     return more;
 }
 
-/* A list of random triangles. */
+/* A list of random triangles, and a random part of the strip. */
 static void random_list(uint32_t key, uint32_t steep)
 {
+    part.x = next() % 3u ? 0 : (int32_t)(next() % 40u);
+    part.width = W - part.x - (next() % 3u ? 0 : (int32_t)(next() % 40u));
+    part.y0 = next() % 3u ? 0 : within(300);
+    part.y1 = part.y0 + (next() % 3u ? H : 1 + (int32_t)(next() % H));
     for (uint32_t i = 0; i < LIST; i++) {
-        random_triangle(&pool[3u * i], (int32_t)(next() % (W * 256u + 4000u)) - 2000, within(6000), 256 << next() % 7u,
-                        key & r.view.piece_base, 1u + next() % (next() % 8u ? steep : r.view.piece_shift));
+        random_triangle(&pool[3u * i], (int32_t)(next() % (W * 256u + 4000u)) - 2000, part.y0 * 256 + within(6000),
+                        256 << next() % 7u, key & r.view.piece_base,
+                        1u + next() % (next() % 8u ? steep : r.view.piece_shift));
         tri[i] = (struct zs_tri){ .v = { (uint16_t)(3u * i), (uint16_t)(3u * i + 1u), (uint16_t)(3u * i + 2u) },
                                   .next = (uint16_t)(i + 1u < LIST ? i + 1u : ZS_NIL), .paint = (uint16_t)next(),
                                   .instance = (uint16_t)(next() % 9u == 0) };

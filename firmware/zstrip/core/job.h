@@ -125,7 +125,7 @@ struct zs_kept {
     uint32_t row, column, width;
     const void *texel; /* the texture's */
     const uint16_t *palette;
-    uint32_t pixel;                    /* which loop of pixels */
+    uint32_t pixel; /* which loop of pixels; in the copy on the stack: its address */
     uint32_t up[2];                    /* log2 of the size that counts for the error */
     uint32_t bits, slow, bias[2];      /* 32 - uv_bits; for zs_texture_affine; 2^-9 texels */
     uint32_t shift, last;              /* log2 of a linear piece; the least depth declined */

@@ -32,7 +32,7 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
 
 /* The vertices: r6, r7, r8 the top one; r9, r10, r11 and r2, r3, r4 the others, less it; r0: twice
  * the area. 9f: declined. 20f: in the last piece; back at 2. Then r4 is the third key's difference,
- * negative. */
+ * negated. */
 #define LOOK                                                                                       \
     "ldrh r3, [r1]\n\tldrh r4, [r1, #2]\n\tldrh r2, [r1, #4]\n\t"                                  \
     "ldr r0, " AT(POOL) "\n\tmovs r5, #12\n\t"                                                    \
@@ -47,7 +47,7 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
     "ldr r5, " AT(LAST) "\n\tcmp r8, r5\n\tbcs 20f\n"                                             \
     "2:\n\tsub r11, r11, r8\n\tsub r4, r8, r4\n\t"
 
-/* r1 = zs_recip_inline(area 2^lz); r5 = 22 - lz, of which zs_quotient shifts one more. */
+/* r1 = zs_recip_inline(area 2^lz); r5 = 22 - lz, `down` of zs_quotient less one. */
 #define RECIPROCAL                                                                                 \
     "clz r5, r0\n\tlsl r12, r0, r5\n\tubfx r1, r12, #23, #8\n\tubfx lr, r12, #7, #16\n\t"          \
     "ldr r0, 30f\n\tadd r0, r0, r1, lsl #1\n\tldrh r1, [r0]\n\tldrh r0, [r0, #2]\n\t"              \
@@ -57,7 +57,7 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
     "add r1, r1, r12\n\tadds r1, r1, lr, lsl #1\n\tit pl\n\tmovpl r1, #-1\n\trsb r5, r5, #22\n\t"
 
 /* low = zs_quotient(r11 a - r4' b), with r4 = -r4'. sign, hi: other registers. big: its numerator
- * is beyond 32 bits; back at `back`, low rounded but for its half. */
+ * is beyond 32 bits; back at `back`, where low is twice the magnitude, plus 1. */
 #define QUOTIENT(low, hi, sign, a, b, big, back)                                                   \
     "smull " low ", " hi ", r11, " a "\n\tsmlal " low ", " hi ", r4, " b "\n\t"                    \
     "asr " sign ", " hi ", #31\n\teor " low ", " low ", " sign "\n\t"                              \

@@ -2,12 +2,13 @@
  * set-up, rows and pixels without a call; the rows of lit ones are those of fast/fast_texels.c. On
  * a Cortex-M3 it saves 23 % of scene relief_tex (0.63 of 2.75 million instructions), 18 % of
  * mesh_tex, 8 % of crowd, 5 % of mesh_tex_lit and mesh_tex_smooth: set-up and list take some 380
- * instructions a triangle in place of 600, a row 34 in place of 39, 14 if it is empty, a pixel 16
- * in place of 17. 2,450 bytes for all formats; the functions in C take 2,120 for one.
+ * instructions a triangle in place of 570, a row 34 in place of 39, 14 if it is empty, a pixel 16
+ * in place of 17. 2,470 bytes for all formats; the functions in C take 2,120 for one, unlit.
  *
  * Exact: what is drawn here is drawn as by fast/fast_texture.c and fast/fast_texels.c, bit for bit.
  * tests/checks/v7m.c compares them on an emulated M3 and M7. Declined are those that C declines,
- * and those with a gradient of a quarter of a repeat a pixel or more.
+ * but for those without a row here, and some with a gradient of a quarter of a repeat a pixel or
+ * more (C: a half).
  *
  * A gradient is 256 n / area 2^(32 - uv_bits) = n rcp / 2^shift (shade/texture.h), shift = 32 - up.
  * For up >= 0 it is the high word of (n 2^up) rcp + 2^31: |n| < 2^(shift - 1) is tested, so that
@@ -120,7 +121,7 @@ _Static_assert(IS(WIDTH_PX, of.width_px) && IS(Y0, of.y0) && IS(Y1, of.y1) &&
 
 /* Attributes: r7 and r8, r9 are u of the top vertex and the others' differences; r10 and r11, r12
  * are v. 9f if they span 2^14 or more, or affine interpolation is not exact enough. 25f: they span
- * less than a texel; back at 24. */
+ * less than half a texel, counting at least 128 to a repeat; back at 24. */
 #define RANGE(out, d1, d2, low)                                                                    \
     "sub " out ", " d1 ", " d2 "\n\tand " out ", " out ", " out ", asr #31\n\t"                    \
     "add " low ", " d2 ", " out "\n\tsub " out ", " d1 ", " out "\n\t"                             \
@@ -180,11 +181,11 @@ _Static_assert(IS(WIDTH_PX, of.width_px) && IS(Y0, of.y0) && IS(Y1, of.y1) &&
     PLACE_OF("r0", "r1", "r2", "r4", "r8", "r11") PLACE_OF("r1", "lr", "r3", "r5", "r9", "r12")    \
     "strd r0, r1, " AT(U) "\n\t"
 
-/* Rows. r0, r5, r7: what a pixel adds to the key, u and v; r2: from a key to its colour; r8, r9:
- * shifts from v and u, above which are counts: of the row's pixels, less one, from bit 8; of all
- * pixels, from bit 8, below 2^14; of rows, from bit 24. (A shift by a register takes its low byte.)
- * r10, r11: width and texels. In a row, r3, r4, r6: key, u, v; r1: a key before that of the pixel.
- * The loops of formats end at 11. */
+/* Rows. r0, r5, r7: what a pixel adds to the key, u and v; r2: from a key to its colour; r10, r11:
+ * width and texels. Low bytes of r8 and r9: shifts of v and u (a shift by a register takes no
+ * more). Above them, in r8: pixels left in the row, less one; in r9: pixels so far, below 2^14, and
+ * from bit 24 rows so far, at most 64. In a row, r3, r4, r6: key, u, v; r1: a key before that of
+ * the pixel. The loops of formats end at 11. */
 #define ROWS                                                                                       \
     "ldrd r5, r7, " AT(U_RIGHT) "\n\tldr r0, " AT(KEY_RIGHT) "\n\tldr r2, " AT(BESIDE) "\n\t"      \
     "ldrd r8, r9, " AT(CUTS) "\n\tldrd r10, r11, " AT(WIDTH) "\n\t"                                \
@@ -243,7 +244,7 @@ static int begin(struct zs_job *job)
     k->width = 1u << log2_w;
     k->texel = t->texel;
     k->palette = t->palette;
-    k->pixel = 4u - t->format->log2_bits;
+    k->pixel = 4u - t->format->log2_bits; /* formats with loops: 565, pal8, pal4 */
     k->up[0] = zs_maxu32(log2_w, ZS_TEXTURE_FLOOR_LOG2);
     k->up[1] = zs_maxu32(log2_h, ZS_TEXTURE_FLOOR_LOG2);
     k->bits = 32u - uv_bits;
