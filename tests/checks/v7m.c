@@ -6,7 +6,10 @@
 #include <string.h>
 
 #include "core/assemble.h"
+#include "core/depth.h"
 #include "core/job.h"
+#include "core/xform.h"
+#include "fast/screen.h"
 #include "fast/small.h"
 #include "fast/sweep.h"
 #include "hal.h"
@@ -18,6 +21,7 @@
 
 #define LISTS 30000u
 #define MESHES 6000u
+#define VIEWS 6000u
 #define W 200
 #define H 24
 #define LIST 8u
@@ -268,6 +272,12 @@ static uint16_t face(const struct zs_shading *s, uint32_t t)
     (void)s;
     return (uint16_t)(t * 40503u);
 }
+static uint16_t color[TRIS];
+static uint16_t raw_face(const struct zs_shading *s, uint32_t t)
+{
+    (void)s;
+    return zs_wire16(color[t]);
+}
 static void vertex(const struct zs_shading *s, uint32_t v, uint16_t *attr)
 {
     (void)s;
@@ -292,6 +302,10 @@ static void bin(struct binned *b, const struct zs_sweep *of, const uint16_t (*me
     r.attr = b->attr;
     r.bin = b->bin;
     b->reached = from;
+    if (by_hand && s.face == raw_face) { /* as begin() of fast/batch.c */
+        s.face = 0;
+        s.raw = color;
+    }
     if (!by_hand)
         b->reached = sweep_in_c(&s, from, TRIS, mesh + from);
     else /* as sweep() of fast/batch.c */
@@ -315,9 +329,12 @@ static int meshes(uint32_t n[ZS_OUTCOMES])
     static const struct zs_material material = { .shader = &shader };
     static const struct zs_instance instance = { .material = &material };
     static uint16_t mesh[TRIS + 1u][3];
+    static uint16_t (*const faces[3])(const struct zs_shading *s, uint32_t t) = { 0, face, raw_face };
     static uint16_t src[VERTS];
     r.xform.instance = &instance;
     r.vert_src = src;
+    for (uint32_t i = 0; i < TRIS; i++)
+        color[i] = (uint16_t)next();
     for (uint32_t m = 0; m < MESHES; m++) {
         const int32_t extent = 20 << next() % 14u, rows = 1 + (int32_t)(next() % 40u);
         for (uint32_t v = 0; v < VERTS; v++) {
@@ -353,7 +370,7 @@ static int meshes(uint32_t n[ZS_OUTCOMES])
                                     .rows = (uint32_t)zs_max32(end - row, 0), .strip_mul = r.strip_mul,
                                     .strip_shift = r.strip_shift, .n = next() % 1000u, .base = (uint16_t)base,
                                     .instance = (uint16_t)next(), .varyings = next() % 2u ? 3u : 0u,
-                                    .face = next() % 2u ? face : 0, .by_batches = 1 };
+                                    .face = faces[next() % 3u], .by_batches = 1 };
         const uint32_t from = next() % 3u;
         bin(&c, &s, (const uint16_t(*)[3])mesh, from, 0);
         bin(&hand, &s, (const uint16_t(*)[3])mesh, from, 1);
@@ -367,9 +384,64 @@ static int meshes(uint32_t n[ZS_OUTCOMES])
     return 0;
 }
 
+/* ---- Vertices ------------------------------------------------------------------------------------------------ */
+
+/* Return not 0 where a vertex that is projected by hand is not where the core has it, or is left to C without need. n:
+ * projected, left, in octaves that are rare. */
+static int vertices(uint32_t n[3])
+{
+    static const struct zs_depth *const depths[] = { &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11 };
+    struct zs_view *const view = &r.view;
+    memset(view, 0, sizeof(*view));
+    view->perspective = 1;
+    view->shift = 16;
+    for (uint32_t l = 0; l < VIEWS; l++) {
+        struct zs_vertex hand[VERTS], core;
+        view->z_near = 256 << next() % 12u;
+        view->z_near += (int32_t)(next() % 256u);
+        view->z_far = (int32_t)zs_minu32((uint32_t)view->z_near << (1u + next() % 16u), 1u << 30);
+        const struct zs_camera camera = { .z_near = (int64_t)view->z_near << 16, .z_far = (int64_t)view->z_far << 16 };
+        view->depth = depths[next() % 3u];
+        if (view->z_far <= view->z_near || view->depth->setup(view, &camera, 16u - next() % 3u))
+            continue;
+        view->cx = (int32_t)(next() % 65536u);
+        view->cy = (int32_t)(next() % 65536u);
+        view->scale_bits = (int8_t)(next() % 24u);
+        const struct zs_screen_of of = zs_screen_of(view);
+        for (uint32_t v = 0; v < VERTS; v++) {
+            const uint32_t range = (uint32_t)(view->z_far - view->z_near);
+            pool[v].d = (uint32_t)view->z_near + (next() % 8u ? next() % range >> next() % 16u : next() % (2u * range));
+            pool[v].x = within(1 << next() % 31u);
+            pool[v].y = within(1 << next() % 31u);
+        }
+        memcpy(hand, pool, sizeof(hand));
+        struct zs_vertex *const end = hand + VERTS, *at = hand;
+        for (uint32_t left = 0; left < VERTS; left++, at++) {
+            struct zs_vertex *const from = at;
+            at = zs_screen_v7m(&of, at, end);
+            for (const struct zs_vertex *v = from; v != at; v++) {
+                core = pool[v - hand];
+                n[0]++;
+                n[2] += (uint32_t)(view->key_lz + zs_clz32(core.d) - 1) >= view->key_common;
+                if (!zs_xform_project_at(&r, &core) || memcmp(v, &core, sizeof(core)))
+                    return 1;
+            }
+            if (at == end)
+                break;
+            core = pool[at - hand];
+            n[1]++;
+            const int32_t down = 30 - view->scale_bits - zs_clz32(core.d);
+            if (down >= 0 && down < 32 && zs_xform_project_at(&r, &core) && zs_abs32(core.x - view->cx) < 1 << 20 &&
+                zs_abs32(core.y - view->cy) < 1 << 20)
+                return 1;
+        }
+    }
+    return 0;
+}
+
 int main(void)
 {
-    uint32_t n[3] = { 0, 0, 0 }, t[3] = { 0, 0, 0 }, outcome[ZS_OUTCOMES] = { 0 };
+    uint32_t n[3] = { 0, 0, 0 }, t[3] = { 0, 0, 0 }, v[3] = { 0, 0, 0 }, outcome[ZS_OUTCOMES] = { 0 };
     if (hal_init())
         hal_exit(2);
     r.vert = pool;
@@ -382,12 +454,17 @@ int main(void)
         hal_write("lists of textured triangles differ\n");
         hal_exit(5);
     }
+    if (vertices(v)) {
+        hal_write("vertices differ\n");
+        hal_exit(6);
+    }
     if (meshes(outcome)) {
         hal_write("meshes differ\n");
         hal_exit(3);
     }
     /* each way is one that was looked at */
     if (n[0] < 2u * LISTS || n[1] < LISTS / 10u || t[0] < LISTS || t[1] < LISTS / 10u ||
+        v[0] < 4u * VIEWS || v[1] < VIEWS || v[2] < VIEWS / 2u ||
         outcome[ZS_OUTCOME_DRAWN] < MESHES || outcome[ZS_OUTCOME_OFFSCREEN] < MESHES / 10u ||
         outcome[ZS_OUTCOME_EMPTY] < MESHES / 50u || outcome[ZS_OUTCOME_INDEX] < MESHES / 10u) {
         hal_write("outcomes are seldom\n");

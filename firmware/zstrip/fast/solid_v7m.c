@@ -78,25 +78,26 @@ _Static_assert(F_SHIFT == F_POOL + H(shift) && F_LAST == F_POOL + H(last) && F_E
     "ldr r5, " AT(BASE) "\n\tadd r4, r5, r4, lsl #1\n\tldr r5, " AT(PITCH) "\n\t"                \
     "mla lr, lr, r5, r4\n\tmla r11, r11, r5, lr\n\tmla r4, r1, r5, lr\n\tstr r11, " AT(END) "\n\t"
 
-/* r0: what a pixel adds to the key; r6: the colour; r7: from a key to its colour; r9: pixels. */
+/* r0: what a pixel adds to the key; r6: the colour, above it the number of
+ * pixels; r7: from a key to its colour; r9: pitch. */
 #define ROWS                                                                                       \
     "ldr r1, " AT(TRI) "\n\tldr r7, " AT(BESIDE) "\n\tldrh r6, [r1, #8]\n\t"                     \
-    "ldr r9, " AT(TESTED) "\n\tldr r1, " AT(SET_UP) "\n\tadds r1, #1\n\tstr r1, " AT(SET_UP) "\n\t"\
+    "ldr r9, " AT(PITCH) "\n\tldr r1, " AT(SET_UP) "\n\tadds r1, #1\n\tstr r1, " AT(SET_UP) "\n\t"\
     "cmp lr, r4\n\tbeq 12f\n"                                                                      \
     "10:\n\t" /* a row */                                                                          \
     "ldrd r1, r2, [sp]\n\tudiv r1, r5, r1\n\tadd r5, r2\n\tldrd r2, r3, [sp, #8]\n\t"              \
-    "udiv r2, r11, r2\n\tadd r11, r3\n\tsubs r3, r2, r1\n\tbls 11f\n\t"                            \
-    "add r9, r3\n\tmla r3, r0, r1, r8\n\tadd r1, lr, r1, lsl #1\n\tadd r2, lr, r2, lsl #1\n"       \
+    "udiv r2, r11, r2\n\tadd r11, r3\n\tsubs r3, r2, r1\n\tbls 11f\n\tadd r6, r6, r3, lsl #16\n\t" \
+    "mla r3, r0, r1, r8\n\tadd r1, lr, r1, lsl #1\n\tadd r2, lr, r2, lsl #1\n"                    \
     "13:\n\t" /* a pixel */                                                                        \
     "ldrh r10, [r1, #2]!\n\tcmp r10, r3, lsr #16\n\tbls 14f\n\tlsr r10, r3, #16\n\t"               \
     "strh r10, [r1]\n\tstrh r6, [r1, r7]\n"                                                        \
     "14:\n\tadd r3, r0\n\tcmp r1, r2\n\tbne 13b\n"                                                 \
-    "11:\n\tldr r1, " AT(PITCH) "\n\tadd lr, r1\n\tadd r8, r12\n\tcmp lr, r4\n\tbne 10b\n"        \
+    "11:\n\tadd lr, r9\n\tadd r8, r12\n\tcmp lr, r4\n\tbne 10b\n"                                 \
     "12:\n\tldr r4, " AT(END) "\n\tcmp lr, r4\n\tbeq 7f\n\t"                                      \
     "ldrd r1, r2, " AT(NEXT) "\n\tldr r3, " AT(TURN) "\n\tldr r10, " AT(SUM) "\n\t"             \
     "cbz r3, 15f\n\tstrd r1, r2, [sp, #8]\n\tmov r11, r10\n\tb 10b\n"                              \
     "15:\n\tstrd r1, r2, [sp]\n\tmov r5, r10\n\tb 10b\n"                                           \
-    "7:\n\tstr r9, " AT(TESTED) "\n"
+    "7:\n\tldr r1, " AT(TESTED) "\n\tadd r1, r1, r6, lsr #16\n\tstr r1, " AT(TESTED) "\n"
 
 /* Keys near B - 1: as zs_small_look. */
 #define LAST_PIECE                                                                                 \

@@ -32,6 +32,9 @@ struct zs_sweep {
     uint8_t full_verts; /* ... a batch has no room for a vertex of its first triangle */
     uint32_t *piece;    /* of a clipped triangle, as in zs_assemble_tri */
     int32_t y0, y1;     /* rows of the triangles that are in no strip of the band */
+#if ZS_V7M
+    const uint16_t *raw; /* mesh.face_raw in place of `face`; NULL: that */
+#endif
 };
 
 /* A core with a loop by hand takes the one in C for what is rare. */

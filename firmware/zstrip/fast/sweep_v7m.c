@@ -70,10 +70,11 @@ _Static_assert(offsetof(struct zs_tri, next) == 6 && offsetof(struct zs_tri, pai
     "ldr r3, [sp, #8]\n\tldr r4, [r8, %[base]]\n\t"                                                \
     "adds r0, r0, r3\n\tadds r2, r2, r3\n\tbfi r2, r7, #16, #16\n\tstrd r0, r2, [r11], #12\n\t"    \
     "ldrd r1, r2, [r8, %[varyings]]\n\tstr r4, [r11, #-4]\n\tcbnz r1, 10f\n"                       \
-    "11:\n\tcbz r2, 12f\n\tldr r1, [sp, #4]\n\tsub r1, r10, r1\n\tlsrs r1, r1, #1\n\t"             \
-    "ldr r3, 30f\n\tmuls r1, r3, r1\n\tldr r0, [r8]\n\tadd r0, r0, %[shading]\n\tblx r2\n"         \
+    "11:\n\tcbnz r2, 12f\n\tldr r0, [r8, %[raw]]\n\tcbz r0, 13f\n\tldr r1, [sp, #4]\n\t"            \
+    "sub r1, r10, r1\n\tldr r3, 30f\n\tmuls r1, r3, r1\n\tldrh r0, [r0, r1]\n\trev16 r0, r0\n"     \
     "13:\n\tstrh r0, [r11, #-4]\n\tb 7f\n"                                                         \
-    "12:\n\tmovs r0, #0\n\tb 13b\n"                                                                \
+    "12:\n\tldr r1, [sp, #4]\n\tsub r1, r10, r1\n\tlsrs r1, r1, #1\n\tldr r3, 30f\n\t"             \
+    "muls r1, r3, r1\n\tldr r0, [r8]\n\tadd r0, r0, %[shading]\n\tblx r2\n\tb 13b\n"               \
     "10:\n\tmov r0, r8\n\tsub r1, r11, #12\n\tbl zs_sweep_attributes\n\t"                          \
     "ldr r2, [r8, %[face]]\n\tb 11b\n"                                                             \
     "6:\n\tldr r0, [r8, %[outcome]]\n\tldr r1, [r0, %[off]]\n\tadds r1, #1\n\t"                    \
@@ -109,7 +110,7 @@ ZS_NAKED uint32_t zs_sweep_by_hand(struct zs_sweep *s ZS_TAKEN, uint32_t t ZS_TA
         :
         : [pool] "i"(OF(pool)), [keep] "i"(OF(keep)), [base] "i"(OF(base)), [out] "i"(OF(out)),
           [x] "i"(OF(x)), [row] "i"(OF(row)), [mul] "i"(OF(strip_mul)), [bin] "i"(OF(bin)),
-          [n] "i"(OF(n)), [varyings] "i"(OF(varyings)), [face] "i"(OF(face)),
+          [n] "i"(OF(n)), [varyings] "i"(OF(varyings)), [face] "i"(OF(face)), [raw] "i"(OF(raw)),
           [outcome] "i"(OF(outcome)), [off] "i"(4 * ZS_OUTCOME_OFFSCREEN),
           [shading] "i"(offsetof(struct zs_renderer, shading)));
 }
