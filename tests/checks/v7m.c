@@ -1,5 +1,6 @@
-/* What fast/solid_v7m.c, fast/texture_v7m.c and fast/sweep_v7m.c have in assembler against the same in C, on an emulated
- * board: lists of random triangles in a strip, and random meshes. Ends with status 0 where all is right.
+/* What fast/solid_v7m.c, texture_v7m.c, screen_v7m.c and sweep_v7m.c have in assembler against the same in C, on an
+ * emulated board: lists of random triangles in a strip, random vertices, and random meshes. Ends with status 0 where
+ * all is right.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -228,7 +229,8 @@ static int textured(uint32_t n[3])
                                    by_c = { .small = of_c->small, .small_lit = lit_in_c };
         const struct by hand = { shaders[shader], &by_hand }, in_c = { textured_in_c[shader], &by_c };
         const uint32_t is_few = next() % 2u; /* colours of a palette, which is lit as a whole then */
-        const struct zs_texture t = { .format = texels[format]->format, .texel = is_few ? few : texel, .palette = palette,
+        const struct zs_texture t = { .format = texels[format]->format, .texel = is_few ? few : texel,
+                                      .palette = palette,
                                       .n_colors = (uint16_t)(format == 2 ? 16 : is_few ? 40 : 256),
                                       .log2_w = (uint8_t)log2_w,
                                       .log2_h = (uint8_t)(next() % (12u - log2_w < 11u ? 13u - log2_w : 11u)),

@@ -6,6 +6,7 @@
 #ifndef ZS_JOB_H
 #define ZS_JOB_H
 
+#include "arch/kept_v7m.h"
 #include "arch/lanes.h"
 #include "core/fast.h"
 #include "core/fx.h"
@@ -115,31 +116,6 @@ struct zs_kept {
     struct zs_texture_set set;
     struct zs_lanes_set lanes;
     struct zs_plane light; /* of the triangle, as lanes have it */
-};
-#endif
-
-#if ZS_V7M
-/* What fast/texture_v7m.c keeps from one triangle of an instance to the next. */
-struct zs_kept {
-    /* shifts from v and u to row and column, 256 subtracted from the first; the texture's width */
-    uint32_t row, column, width;
-    const void *texel; /* the texture's */
-    const uint16_t *palette;
-    uint32_t pixel; /* which loop of pixels; in the copy on the stack: its address */
-    uint32_t up[2];                    /* log2 of the size that counts for the error */
-    uint32_t bits, slow, bias[2];      /* 32 - uv_bits; for zs_texture_affine; 2^-9 texels */
-    uint32_t shift, last;              /* log2 of a linear piece; the least depth declined */
-    const uint16_t *attr;              /* r->attr, and bytes of a vertex there */
-    uint32_t attr_bytes;
-    const struct zs_vertex *pool;      /* r->vert */
-    uint32_t edge;                     /* as in fast/solid_v7m.c, like base and beside */
-    int32_t width_px, y0, y1;          /* the job's width */
-    uint32_t pitch;                    /* bytes from row to row */
-    uintptr_t base, beside;
-    const struct zs_tri *all;          /* r->tri */
-    uint16_t **keep;                   /* the job's */
-    uint32_t chain;                    /* the instance, if the list may be gone on in; 65536 */
-    uint32_t of;                       /* the instance's number; ZS_NIL: none */
 };
 #endif
 

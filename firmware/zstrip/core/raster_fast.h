@@ -86,11 +86,7 @@ static inline int zs_fast_start(struct zs_job *job)
     return job->rows && job->fast->start && job->fast->start(job);
 }
 #else
-#if ZS_V7M
-#define zs_fast_target(job, r) ((void)((job)->kept.of = ZS_NIL))
-#else
-#define zs_fast_target(job, r) ((void)(job))
-#endif
+#define zs_fast_target(job, r) zs_kept_forget(job)
 #define zs_fast_tried(job) 0
 #define zs_fast_setup(job) ((void)(job), ZS_SET_UP_NOT)
 #define zs_fast_start(job) ((void)(job), 0)

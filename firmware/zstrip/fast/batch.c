@@ -405,8 +405,7 @@ static void begin(struct zs_sweep *s, struct zs_renderer *r)
     s->varyings = shader->vertex ? r->config.varyings : 0u;
     s->face = shader->face;
 #if ZS_V7M
-    s->raw = s->face == zs_raw_face ? in->mesh->face_raw : 0;
-    if (s->raw)
+    if ((s->raw = s->face == zs_raw_face ? in->mesh->face_raw : 0) != 0)
         s->face = 0;
 #endif
     s->instance = (uint16_t)r->xform.number;

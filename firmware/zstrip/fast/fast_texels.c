@@ -70,6 +70,17 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
 
 #define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
 
+/* Return the address of the first row; rows from there to another one. */
+static inline uintptr_t first_of(const struct zs_job *job, const struct zs_sides *w)
+{
+    return ZS_V7M ? (uintptr_t)w->row
+                  : (uintptr_t)job->depth + (uint32_t)(w->row - job->y0) * w->down[0] + w->left;
+}
+static inline uint32_t rows_to(const struct zs_sides *w, int32_t row)
+{
+    return (uint32_t)(ZS_V7M ? row : row - w->row);
+}
+
 /* Draw the scanlines of a small triangle. The values that step from row to row are kept in *w,
  * because the pixel loop needs all registers. */
 ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w,
@@ -80,15 +91,8 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
     const uint32_t pitch = w->sides.down[0];
     const void *const texel = t->texel;
     const uint16_t *const palette = t->palette;
-#if ZS_V7M
-    uintptr_t row = (uintptr_t)w->sides.row, end = row + (uint32_t)w->sides.mid * pitch;
-    const uintptr_t last = row + (uint32_t)w->sides.end * pitch;
-#else
-    uintptr_t row = (uintptr_t)job->depth + (uint32_t)(w->sides.row - job->y0) * pitch +
-                    w->sides.left;
-    uintptr_t end = row + (uint32_t)(w->sides.mid - w->sides.row) * pitch;
-    const uintptr_t last = row + (uint32_t)(w->sides.end - w->sides.row) * pitch;
-#endif
+    uintptr_t row = first_of(job, &w->sides), end = row + rows_to(&w->sides, w->sides.mid) * pitch;
+    const uintptr_t last = row + rows_to(&w->sides, w->sides.end) * pitch;
     const uint32_t *const word = (const uint32_t *)(const void *)w;
     int32_t written = 0;
     w->at[3] = 0;

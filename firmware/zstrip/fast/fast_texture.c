@@ -391,10 +391,12 @@ static int texture_rows(struct zs_job *job)
 #endif
 #define TEXTURE(shader_, draw_, shine_, lit_)                                                      \
     {                                                                                              \
-        START shine_ .shader = shader_, .draw = ZS_DIVIDES ? draw_ : BY_LANES, .rows = texture_rows,      \
-        .span = zs_fast_less, .lit = lit_, .divided = divided                                      \
+        START shine_ .shader = shader_, .draw = ZS_DIVIDES ? draw_ : BY_LANES,                     \
+        .rows = texture_rows, .span = zs_fast_less, .lit = lit_, .divided = divided                \
     }
 
 const struct zs_fast zs_fast_texture = TEXTURE(&zs_shade_texture, draw_unlit, , 0);
-const struct zs_fast zs_fast_texture_flat = TEXTURE(&zs_shade_texture_flat, draw_lit, SHINE, palette_lit);
-const struct zs_fast zs_fast_texture_smooth = TEXTURE(&zs_shade_texture_smooth, draw_lit, SHINE, 0);
+const struct zs_fast zs_fast_texture_flat =
+    TEXTURE(&zs_shade_texture_flat, draw_lit, SHINE, palette_lit);
+const struct zs_fast zs_fast_texture_smooth =
+    TEXTURE(&zs_shade_texture_smooth, draw_lit, SHINE, 0);

@@ -12,11 +12,9 @@
 
 #if ZS_V7M
 
-_Static_assert(offsetof(struct zs_screen_of, range) == 4 && offsetof(struct zs_screen_of, down) == 8 &&
-                   offsetof(struct zs_screen_of, common) == 12 &&
-                   offsetof(struct zs_screen_of, cx) == 16 && offsetof(struct zs_screen_of, mul) == 24 &&
-                   offsetof(struct zs_screen_of, fraction) == 32 &&
-                   offsetof(struct zs_screen_of, view) == 40 && sizeof(struct zs_vertex) == 12,
+#define IS(field, at) (offsetof(struct zs_screen_of, field) == (at))
+_Static_assert(IS(range, 4) && IS(down, 8) && IS(common, 12) && IS(cx, 16) && IS(mul, 24) &&
+                   IS(fraction, 32) && IS(view, 40) && sizeof(struct zs_vertex) == 12,
                "as below");
 
 /* r1, r2, r3: x, y, z; 9f: it is nearer than near, or farther than far. */
@@ -52,16 +50,15 @@ ZS_NAKED struct zs_vertex *zs_screen_v7m(const struct zs_screen_of *of ZS_TAKEN,
                                          struct zs_vertex *at ZS_TAKEN,
                                          struct zs_vertex *end ZS_TAKEN)
 {
-    __asm__ volatile(".syntax unified\n\t"
-                     "push {r4, r5, r6, r7, r8, r9, r10, r11, r12, lr}\n\t"
-                     "mov r12, r1\n\tmov lr, r2\n\tldr r11, 30f\n\tcmp r12, lr\n\tbeq 9f\n"
-                     "1:\n\t" LOOK RECIPROCAL PROJECT DEPTH
-                     "7:\n\tstrd r4, r5, [r12], #12\n\tstr r7, [r12, #-4]\n\tcmp r12, lr\n\tbne 1b\n"
-                     "9:\n\tmov r0, r12\n\tpop {r4, r5, r6, r7, r8, r9, r10, r11, r12, pc}\n\t"
-                     "8:\n\tpush {r0, r1, r12, lr}\n\tldr r0, [r0, #40]\n\tldr r1, [r12, #8]\n\t"
-                     "mov r2, r8\n\tclz r3, r1\n\tbl zs_screen_depth\n\tmov r7, r0\n\t"
-                     "pop {r0, r1, r12, lr}\n\tb 7b\n\t"
-                     ".align 2\n30:\n\t.word zs_recip_table\n");
+    __asm__ volatile(
+        ".syntax unified\n\tpush {r4, r5, r6, r7, r8, r9, r10, r11, r12, lr}\n\t"
+        "mov r12, r1\n\tmov lr, r2\n\tldr r11, 30f\n\tcmp r12, lr\n\tbeq 9f\n"
+        "1:\n\t" LOOK RECIPROCAL PROJECT DEPTH
+        "7:\n\tstrd r4, r5, [r12], #12\n\tstr r7, [r12, #-4]\n\tcmp r12, lr\n\tbne 1b\n"
+        "9:\n\tmov r0, r12\n\tpop {r4, r5, r6, r7, r8, r9, r10, r11, r12, pc}\n"
+        "8:\n\tpush {r0, r1, r12, lr}\n\tldr r0, [r0, #40]\n\tldr r1, [r12, #8]\n\t"
+        "mov r2, r8\n\tclz r3, r1\n\tbl zs_screen_depth\n\tmov r7, r0\n\t"
+        "pop {r0, r1, r12, lr}\n\tb 7b\n\t.align 2\n30:\n\t.word zs_recip_table\n");
 }
 
 #endif

@@ -71,9 +71,9 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
     "ldr r6, " AT(TWO) "\n\tcmp r7, #4\n\tblt 9b\n\tumull " hi ", " low ", " low ", r1\n\t"       \
     "lsr " low ", " low ", r7\n\tadd " low ", #1\n\tldr r7, " AT(TWO_2) "\n\tb " back "\n"
 
-/* r6 = x, r7 = off, of struct zs_small; lr: the first row in the strip; r1, r11: rows from it to the
- * one below the middle vertex, to the one beyond the last; r4: column 0. 23f: near the viewport's
- * sides; back at 5. 8f: no row in the strip. */
+/* r6 = x, r7 = off, of struct zs_small; lr: the first row in the strip; r1, r11: rows from it to
+ * the one below the middle vertex, to the one beyond the last; r4: column 0. 23f: near the
+ * viewport's sides; back at 5. 8f: no row in the strip. */
 #define PLACE                                                                                      \
     "asrs r5, r6, #8\n\tsub r4, r5, #65\n\tldr r11, " AT(EDGE) "\n\tcmp r4, r11\n\tbcs 23f\n"     \
     "5:\n\tuxtb r6, r6\n\tadd r6, r6, #0x4080\n\tadds r7, #127\n\t"                                \
@@ -119,13 +119,13 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
     "16:\n\tmov r1, r2\n\tb 1b\n"
 
 /* Columns: as zs_small_place. width: what loads the viewport's to r11. */
-#define NEAR_SIDES(width)                                                                                 \
+#define NEAR_SIDES(width)                                                                          \
     "23:\n\tmov r5, r9\n\tcmp r2, r5\n\tit lt\n\tmovlt r5, r2\n\tand r5, r5, r5, asr #31\n\t"      \
     "add r5, r6\n\tadds r5, #127\n\tbmi 9b\n\t"                                                    \
     "mov r5, r9\n\tcmp r2, r5\n\tit gt\n\tmovgt r5, r2\n\tbic r5, r5, r5, asr #31\n\t"             \
     "add r5, r6\n\tadds r5, #127\n\tasrs r5, r5, #8\n\t" width "\n\tcmp r5, r11\n\tbgt 9b\n\tb 5b\n"
 /* As zs_small64_next. keep: what loads job->keep to r4. */
-#define GOES_ON(keep)                                                                                    \
+#define GOES_ON(keep)                                                                              \
     "24:\n\t" keep "\n\tcmp r4, #0\n\tbeq 16b\n\t"                                                 \
     "ldr r5, [r4]\n\tsubs r6, r1, r3\n\tlsrs r6, r6, #2\n\tldr r7, 30f + 4\n\tmuls r6, r7\n\t"     \
     "strh r6, [r5]\n\tadds r5, r1, #6\n\tstr r5, [r4]\n\tb 16b\n"

@@ -225,7 +225,8 @@ _Static_assert(IS(WIDTH_PX, of.width_px) && IS(Y0, of.y0) && IS(Y1, of.y1) &&
     "str r1, " AT(TESTED) "\n"
 
 /* Seven words of job->kept to the stack. */
-#define COPY "ldmia r0!, {r4, r5, r6, r7, r8, r9, r10}\n\tstmia r2!, {r4, r5, r6, r7, r8, r9, r10}\n\t"
+#define COPY                                                                                       \
+    "ldmia r0!, {r4, r5, r6, r7, r8, r9, r10}\n\tstmia r2!, {r4, r5, r6, r7, r8, r9, r10}\n\t"
 
 /* Set job->kept for the instance of job->tri. Return 0: none of its triangles is drawn here. */
 static int begin(struct zs_job *job)
@@ -297,10 +298,12 @@ ZS_NAKED int zs_texture_v7m(struct zs_job *job ZS_TAKEN)
         "ldr r3, [r0, %[tri]]\n\tldrh r3, [r3, #10]\n\t"
         "ldr r2, [r0, %[of]]\n\tcmp r2, r3\n\tbeq 36f\n\tbl %c[begin]\n\tcmp r0, #0\n\tbeq 35f\n\t"
         "ldr r0, " AT(JOB) "\n"
-        "36:\n\tldr r1, [r0, %[tri]]\n\tadd r0, r0, %[kept]\n\tadd r2, sp, #" NUMBER(F_KEPT) "\n\t"
+        "36:\n\tldr r1, [r0, %[tri]]\n\tadd r0, r0, %[kept]\n\t"
+        "add r2, sp, #" NUMBER(F_KEPT) "\n\t"
         COPY COPY COPY COPY
         "ldr r2, " AT(PIXEL) "\n\tadr r3, 34f\n\tldr r2, [r3, r2, lsl #2]\n\t"
-        "str r2, " AT(PIXEL) "\n\tmovs r2, #0\n\tstr r2, " AT(DRAWN) "\n\tstr r2, " AT(TESTED) "\n\t"
+        "str r2, " AT(PIXEL) "\n\tmovs r2, #0\n\tstr r2, " AT(DRAWN) "\n\t"
+        "str r2, " AT(TESTED) "\n\t"
         "str r2, " AT(SET_UP) "\n"
         "1:\n\tstr r1, " AT(TRI) "\n\t"
         LOOK CHANGE RECIPROCAL "strd r1, r5, " AT(RCP) "\n\t"
@@ -317,16 +320,18 @@ ZS_NAKED int zs_texture_v7m(struct zs_job *job ZS_TAKEN)
         "18:\n\tmovs r2, #1\n"
         "19:\n\tldr r0, " AT(JOB) "\n\tmov r1, sp\n\tbl %c[end]\n"
         "35:\n\tadd sp, #" NUMBER(F_BYTES) "\n\tpop {r3, r4, r5, r6, r7, r8, r9, r10, r11, pc}\n"
-        "28:\n\tldr r0, " AT(JOB) "\n\tmov r1, sp\n\tbl %c[called]\n\tcmp r0, #1\n\tbhi 29b\n\tblo 9b\n\t"
+        "28:\n\tldr r0, " AT(JOB) "\n\tmov r1, sp\n\tbl %c[called]\n\tcmp r0, #1\n\tbhi 29b\n\t"
+        "blo 9b\n\t"
         "ldr r1, " AT(SET_UP) "\n\tadds r1, #1\n\tstr r1, " AT(SET_UP) "\n\tb 8b\n"
         "21:\n\t" BIG("r0", "r12", "3b")
         "22:\n\t" BIG("r12", "lr", "4b")
         NARROW GENTLY NEAR_SIDES("ldr r11, " AT(WIDTH_PX)) GOES_ON("ldr r4, " AT(KEEP))
-        ".align 2\n30:\n\t.word zs_recip_table, 0xaaaaaaab\n34:\n\t.word 31b + 1, 32b + 1, 33b + 1\n"
+        ".align 2\n30:\n\t.word zs_recip_table, 0xaaaaaaab\n"
+        "34:\n\t.word 31b + 1, 32b + 1, 33b + 1\n"
         :
         : [fast] "i"(offsetof(struct zs_job, fast)), [shine] "i"(offsetof(struct zs_fast, shine)),
-          [called] "i"(shine), [begin] "i"(begin), [end] "i"(end), [tri] "i"(offsetof(struct zs_job, tri)),
-          [kept] "i"(offsetof(struct zs_job, kept)),
+          [called] "i"(shine), [begin] "i"(begin), [end] "i"(end),
+          [tri] "i"(offsetof(struct zs_job, tri)), [kept] "i"(offsetof(struct zs_job, kept)),
           [of] "i"(offsetof(struct zs_job, kept.of)));
 }
 
