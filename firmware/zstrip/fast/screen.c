@@ -161,26 +161,25 @@ uint32_t zs_screen_depth(const struct zs_view *view, int32_t z, uint32_t rcp, in
     return view->depth->vertex(view, z, rcp, lz);
 }
 
-/* For a perspective camera with all sub-pixel bits, and keys of a floating-point mapping. */
-static void project_float(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out)
+/* For a perspective camera with all sub-pixel bits; here for floating-point depth alone. */
+static void project_usual(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out)
 {
     const struct zs_screen_of of = zs_screen_of(&r->view);
     struct zs_vertex *const end = out + n;
     while ((out = zs_screen_v7m(&of, out, end)) != end)
         screen_slowly(r, out++);
 }
+#else
+ZS_ALWAYS_INLINE void project_usual(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out)
+{
+    screen(r, n, out, 1, 0);
+}
 #endif
 
 static void project(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out)
 {
-#if ZS_V7M
-    if (r->view.perspective && r->view.snap == 0 && r->view.key_slow) { /* keys are float */
-        project_float(r, n, out);
-        return;
-    }
-#endif
-    if (r->view.perspective && r->view.snap == 0)
-        screen(r, n, out, 1, 0);
+    if (r->view.perspective && r->view.snap == 0 && (!ZS_V7M || r->view.key_slow))
+        project_usual(r, n, out);
     else
         screen_any(r, n, out);
 }
