@@ -3,9 +3,9 @@
  * of scene relief, 1.3 % of sheet; flyover, where many vertices are outside, takes 0.7 % more. 430
  * bytes with its function in C; the loop in C that it replaces took 300.
  *
- * Exact: it is screen() of fast/screen.c with the depth of depth/float.c. tests/checks/v7m.c compares
- * it with the core on an emulated M3 and M7; most frames on M3, M4 and M7 have their vertices from
- * it (tests/property/scene_sums.sh).
+ * Exact: it is screen() of fast/screen.c with the depth of depth/float.c. tests/checks/v7m.c
+ * compares it with the core on an emulated M3 and M7; most frames on M3, M4 and M7 have their
+ * vertices from it (tests/property/scene_sums.sh).
  *
  * SPDX-License-Identifier: MIT
  */
