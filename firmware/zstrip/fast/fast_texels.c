@@ -233,8 +233,8 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
     {                                                                                              \
         rows(job, zs_read_##name);                                                                 \
     }                                                                                              \
-    ZS_TAKEN static void small_##name(struct zs_job *job, const struct zs_texture *t,              \
-                                      struct zs_texel_rows *w)                                     \
+    __attribute__((unused)) static void small_##name(                                              \
+        struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w)                   \
     {                                                                                              \
         SMALL(job, t, w, zs_read_##name, 0);                                                       \
     }                                                                                              \
