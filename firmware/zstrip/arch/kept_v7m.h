@@ -16,9 +16,9 @@ struct zs_vertex;
 struct zs_kept {
     /* shifts from v and u to row and column, 256 subtracted from the first; the texture's width */
     uint32_t row, column, width;
-    const void *texel; /* the texture's */
+    const void *texel;                 /* the texture's, like palette */
     const uint16_t *palette;
-    uint32_t pixel; /* which loop of pixels; in the copy on the stack its address */
+    uint32_t pixel;                    /* which loop of pixels; on the stack: its address */
     uint32_t up[2];                    /* log2 of the size that counts for the error */
     uint32_t bits, slow, bias[2];      /* 32 - uv_bits; for zs_texture_affine; 2^-9 texels */
     uint32_t shift, last;              /* log2 of a linear piece; the least depth declined */
@@ -31,7 +31,7 @@ struct zs_kept {
     uintptr_t base, beside;
     const struct zs_tri *all;          /* r->tri */
     uint16_t **keep;                   /* the job's */
-    uint32_t chain;                    /* the instance, if the list may be gone on in; 65536 */
+    uint32_t chain;                    /* the instance whose triangles it goes on to; 65536: none */
     uint32_t of;                       /* the instance's number; ZS_NIL: none */
 };
 
