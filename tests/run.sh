@@ -8,7 +8,9 @@
 #        tests/run.sh BUILD PATTERN lane LANE   one of the two workers: of use to this script alone
 #
 # tests/parts.txt lists the parts. The longest is started first, unless it waits for another or uses what one that runs
-# uses. Seconds are of CPU, user and system, so that other work on the machine hardly counts.
+# uses. Of those that start many processes (`starts`) the first worker takes all that it can, and the second the others:
+# two of them at once wait for each other in the kernel, and take up to three times as long on some machines. Seconds are
+# of CPU, user and system, so that other work on the machine hardly counts.
 #
 # SPDX-License-Identifier: MIT
 set -u
@@ -72,15 +74,18 @@ run() { # NAME
 }
 
 # What is to be run next; - where all that is left waits for something that runs; nothing at the end
-next() {
+next() { # LANE
     (
         flock 8
-        awk -v begun="$logs/begun" -v counts="$logs/counts" '
+        awk -v begun="$logs/begun" -v counts="$logs/counts" -v lane="$1" '
             function free(uses, n, use, i) {
                 n = split(uses, use, ",")
                 for (i = 1; i <= n; i++)
-                    if (use[i] != "-" && use[i] in used) return 0
+                    if (use[i] != "-" && use[i] != "starts" && use[i] in used) return 0
                 return 1
+            }
+            function mine(name) {
+                return (("," uses[name] ",") ~ /,starts,/) == (lane == 1)
             }
             function ready(after, n, name, i) {
                 n = split(after, name, ",")
@@ -97,9 +102,10 @@ next() {
                     m = split(uses[name], use, ",")
                     for (i = 1; i <= m; i++) used[use[i]] = 1
                 }
-                for (i = 1; i <= n; i++) {
-                    if (order[i] in started) continue
-                    if (free(uses[order[i]]) && ready(after[order[i]])) { print order[i]; print order[i] >>begun; exit }
+                for (i = 1; i <= 2 * n; i++) { # one's own first, then any
+                    name = order[i > n ? i - n : i]
+                    if (name in started || (i <= n && !mine(name))) continue
+                    if (free(uses[name]) && ready(after[name])) { print name; print name >>begun; exit }
                     left++
                 }
                 if (left) print "-"
@@ -113,7 +119,7 @@ names)
     exit ;;
 lane)
     echo $$ >"$logs/lane.$4"
-    while name=$(next) && [ -n "$name" ]; do
+    while name=$(next "$4") && [ -n "$name" ]; do
         if [ "$name" != - ]; then
             run "$name"
         elif [ -s "$logs/lane.$((3 - $4))" ] && ! kill -0 "$(cat "$logs/lane.$((3 - $4))")" 2>/dev/null; then

@@ -15,10 +15,13 @@
  *   look pgm D.pgm W H                 "DRAWN LEAST LARGEST"; the file byte for byte as promised
  *   look key D.pgm X Y                 the key
  *   look ids I.u32 W H                 "COVERED DISTINCT LARGEST X0 Y0 X1 Y1", a box with both ends
+ *   look covered I.u32 W               "COVERED" alone
  *   look id I.u32 W X Y                the id
  *   look points I.u32 W <LIST          are the ids those of the lines "X Y ID"? "COUNT" of them
  *   look drawn I.u32 D.pgm             have the same pixels an id and a key?
  *   look differ A.u32 B.u32            "PIXELS" that differ
+ *   look same A B ENDING...            are A.ENDING and B.ENDING there, not empty, and the same bytes?
+ *   look unlike F A...                 does F hold other bytes than each of the others?
  *   look keys A.pgm B.pgm              "BOTH MORE_THAN_1_APART MOST_APART"
  *   look slope A.pgm A.u32 B.pgm B.u32  do keys differ by no more than snapping moves them? "COUNT"
  *   look json F.json [KEY]             one flat object of numbers? the number of KEY, or "COUNT"
@@ -52,14 +55,13 @@ struct bytes {
 
 static struct bytes load(const char *name)
 {
-    struct bytes f = { malloc(1), 0 };
+    struct bytes f = { NULL, 0 };
     FILE *in = fopen(name, "rb");
     if (in == NULL)
         wrong("%s is not there", name);
-    for (int c; (c = getc(in)) != EOF;) {
-        if ((f.n & (f.n + 1)) == 0)
-            f.b = realloc(f.b, 2 * f.n + 16);
-        f.b[f.n++] = (uint8_t)c;
+    for (size_t got = 1, room = 1 << 18; got != 0; f.n += got, room *= 2) {
+        f.b = realloc(f.b, room);
+        got = fread(f.b + f.n, 1, room - f.n, in);
     }
     fclose(in);
     return f;
@@ -437,6 +439,28 @@ static void look_differ(const char *a, const char *b)
     printf("%zu\n", n);
 }
 
+static void look_same(const char *one, const char *other, char **ending)
+{
+    for (; *ending != NULL; ending++) {
+        char a[256], b[256];
+        snprintf(a, sizeof a, "%s.%s", one, *ending);
+        snprintf(b, sizeof b, "%s.%s", other, *ending);
+        const struct bytes fa = load(a), fb = load(b);
+        if (fa.n == 0 || fa.n != fb.n || memcmp(fa.b, fb.b, fa.n) != 0)
+            wrong("%s and %s differ", a, b);
+    }
+}
+
+static void look_unlike(char **name)
+{
+    const struct bytes f = load(name[0]);
+    for (char **other = name + 1; *other != NULL; other++) {
+        const struct bytes g = load(*other);
+        if (f.n == g.n && memcmp(f.b, g.b, f.n) == 0)
+            wrong("%s is %s", name[0], *other);
+    }
+}
+
 static void look_keys(const char *a, const char *b)
 {
     const struct map ma = load_pgm(a), mb = load_pgm(b);
@@ -557,6 +581,12 @@ int main(int argc, char **argv)
         printf("%u\n", m.v[b * m.w + a]);
     } else if (strcmp(what, "ids") == 0 && argc == 5 && a > 0) {
         look_ids(argv[2], a, b);
+    } else if (strcmp(what, "covered") == 0 && argc == 4 && a > 0) {
+        const struct map m = load_u32(argv[2], a);
+        size_t n = 0;
+        for (size_t i = 0; i < m.n; i++)
+            n += m.v[i] != 0;
+        printf("%zu\n", n);
     } else if (strcmp(what, "id") == 0 && argc == 6 && a > 0) {
         const struct map m = load_u32(argv[2], a);
         if (b >= a || c >= m.h)
@@ -564,6 +594,10 @@ int main(int argc, char **argv)
         printf("%u\n", m.v[c * a + b]);
     } else if (strcmp(what, "points") == 0 && argc == 4 && a > 0) {
         look_points(argv[2], a);
+    } else if (strcmp(what, "same") == 0 && argc > 4) {
+        look_same(argv[2], argv[3], argv + 4);
+    } else if (strcmp(what, "unlike") == 0 && argc > 3) {
+        look_unlike(argv + 2);
     } else if (strcmp(what, "slope") == 0 && argc == 6) {
         look_slope(argv + 2);
     } else if (strcmp(what, "json") == 0 && (argc == 3 || argc == 4)) {
