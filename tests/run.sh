@@ -102,7 +102,7 @@ next() { # LANE
                     m = split(uses[name], use, ",")
                     for (i = 1; i <= m; i++) used[use[i]] = 1
                 }
-                for (i = 1; i <= 2 * n; i++) { # one's own first, then any
+                for (i = 1; i <= 2 * n; i++) { # its own first, then any
                     name = order[i > n ? i - n : i]
                     if (name in started || (i <= n && !mine(name))) continue
                     if (free(uses[name]) && ready(after[name])) { print name; print name >>begun; exit }
