@@ -9,8 +9,7 @@
 #
 # tests/parts.txt lists the parts. The longest is started first, unless it waits for another or uses what one that runs
 # uses. Of those that start many processes (`starts`) the first worker takes all that it can, and the second the others:
-# two of them at once wait for each other in the kernel, and take up to three times as long on some machines. Seconds are
-# of CPU, user and system, so that other work on the machine hardly counts.
+# two of them at once wait for each other in the kernel. Seconds are of CPU, user and system.
 #
 # SPDX-License-Identifier: MIT
 set -u

@@ -51,7 +51,7 @@ $(B)/test/test_%: $(B)/test/tests/$1/test_%.o $(B)/test/libtest.a $(B)/libmeshes
 endef
 $(foreach d,unit property tools,$(eval $(call test_program,$d)))
 # The same with the rows of a matrix as cores have them that do not add products to 64 bits (wide.h): what reads rows is
-# compiled so, the rest is no other (renderer.h gives rows one size)
+# compiled so, the rest is no other (zs_renderer.h gives rows one size)
 NARROW = tests/unit/test_xform.c $(shell grep -lwE 'ZS_ROW_WORDS|zs_rows' $(CORE))
 $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 	@mkdir -p $(@D)

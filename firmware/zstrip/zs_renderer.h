@@ -11,7 +11,7 @@
 /* A transformed vertex, in the vertex pool. 12 bytes on every machine. */
 struct zs_vertex {
     int32_t x, y; /* screen position, q24_8 px, right and down, at most the guard band from the
-                     frame's centre */
+                     viewport's centre */
     uint32_t d;   /* depth: the key in uq16_16, or the distance z for mappings that need it.
                      >= 0xffffff00: the vertex is not projected, and its triangles are clipped */
 };
@@ -53,8 +53,8 @@ struct zs_view {
                               piece_shift lies in one octave: its keys are linear. 0: there is no
                               such test */
     uint8_t pixelwise;     /* 1: the mapping computes every pixel's key by itself */
-    uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
-    uint8_t key_fraction;  /* float: key_mantissa + 16 */
+    uint8_t key_octaves;   /* float: 2^exponent bits - 1 */
+    uint8_t key_fraction;  /* float: bits of an octave's codes, uq16_16: mantissa bits + 16 */
     uint8_t key_common;    /* float: number of octaves from octave 2 to the one that ends at near
                               (depth/float.c) */
     uint16_t width, height; /* px: size of the viewport */
@@ -65,7 +65,7 @@ struct zs_view {
     int32_t z_near, z_far; /* camera units */
     int32_t cx, cy;        /* q24_8 px, the viewport's centre: cx from the viewport's left side, cy
                               from the frame's top */
-    int32_t shift;         /* log2 of camera units for each world unit */
+    int32_t shift;         /* log2 of camera units for each world unit, -3 .. 30 */
     int32_t scale_bits;    /* perspective: screen q24_8 = x' * 2^scale_bits / z; orthographic:
                               x' / 2^scale_bits */
     int32_t snap;          /* 8 - sub-pixel bits */
@@ -82,7 +82,7 @@ struct zs_view {
     uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key at z = infinity */
     int32_t key_lz;        /* float: with lz leading zeros of z, a vertex is in octave 2 + key_lz +
                               lz, or one less */
-    uint32_t key_code;     /* float: 2^b - 2^key_mantissa in uq16_16: octave 2's linear keys,
+    uint32_t key_code;     /* float: 2^b - 2^mantissa bits in uq16_16: octave 2's linear keys,
                               extrapolated to r = near / z = 0 */
     int32_t rot[9];        /* q2_30: world to camera; its rows: x * ratio, -y * ratio, distance */
     int32_t pos[3];        /* the eye, world units */
@@ -202,7 +202,7 @@ struct zs_renderer {
                                 are the same */
     uint16_t *depth;         /* [strip_h][width]: depth buffer; NULL: no depth memory */
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL;
-                                below the band: how many begin there */
+                                below the band: how many begin there, modulo 2^16, an estimate */
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */
     uint16_t *vert_src;      /* [max_verts]: the vertex's number in its mesh */
@@ -247,8 +247,7 @@ struct zs_renderer {
     struct zs_stats stats;
     /* zs_damage_compare; NULL: off, every column counts as changed */
     const struct zs_strip_hash_kernel *strip_hash;
-    struct zs_strip_hashes *sums; /* [n_strips][columns] hashes of what the panel shows; 0: not
-                                     known */
+    struct zs_strip_hashes *sums; /* hashes of what the panel shows, the caller's */
     uint32_t *track_memory;       /* the caller's: the frame's hash, the records of the instances,
                                      and then track_due */
     uint32_t *track_due;          /* [n_strips]: dirty columns [first, end) as first + end * 2^16;

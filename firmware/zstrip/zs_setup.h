@@ -82,8 +82,8 @@ struct zs_config {
 #define ZS_ARENA(name, bytes) static uint32_t name[((bytes) + 3u) / 4u] ZS_ALIGNED
 
 /* Counts of the frame that zs_frame_begin started; complete after zs_frame_end. Triangles are
- * counted once, vertices and pixels as often as they are worked on. tris_in is the sum of the ten
- * counts from tris_frustum to tris_index. */
+ * counted once, but tris_setup and tris_hidden in each strip; vertices and pixels as often as they
+ * are worked on. tris_in is the sum of the ten counts from tris_frustum to tris_index. */
 struct zs_stats {
     uint32_t instances_in;
     uint32_t instances_culled; /* the sphere is outside the view, or hidden: */
@@ -91,7 +91,7 @@ struct zs_stats {
     uint32_t clusters_in;      /* of the instances that were not culled */
     uint32_t clusters_culled;  /* outside the view, or all back-facing */
     uint32_t tris_in;          /* in all instances */
-    uint32_t tris_frustum;     /* in culled instances */
+    uint32_t tris_frustum;     /* in culled instances, hidden ones too */
     uint32_t tris_cluster;     /* in culled clusters */
     /* the outcomes of the others, in the order of enum zs_outcome (core/assemble.h) */
     uint32_t tris_drawn;       /* binned, whole or in clipped pieces */
@@ -107,7 +107,7 @@ struct zs_stats {
     uint32_t tris_setup;      /* set-ups: a triangle in a strip */
     uint32_t tris_hidden;     /* set-ups saved: a triangle that is covered in a strip, or beside the
                                  columns that are drawn of it (zs_damage_columns) */
-    uint32_t pixels_tested;   /* covered by triangles that are drawn */
+    uint32_t pixels_tested;   /* covered by triangles that are drawn, tested or not */
     uint32_t pixels_untested; /* of these: drawn without a test, as nothing was drawn there yet */
     uint32_t pixels_written;  /* of these: coloured; 0 unless built with ZS_STATS = 1 */
     uint32_t strips;          /* given out so far */

@@ -84,6 +84,7 @@ struct zs_shader {
                            zs_filtered_set (zs_filter.h) takes shaders that have it */
     uint8_t by_fragment; /* set by ZS_FRAGMENTS */
     uint8_t layer;       /* set by ZS_LAYER (zs_blend.h): drawn last by zs_method_transparent */
+    uint8_t raw;         /* zs_shade_raw: face gives mesh.face_raw, where there is one */
 };
 
 #define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run, .by_fragment = 1

@@ -116,7 +116,7 @@ int main(void)
     r.view.depth = &zs_depth_float; /* as its set-up leaves e3m13 */
     r.view.perspective = 1;
     r.view.key_top = 0xffff0000u;
-    r.view.key_mantissa = 13;
+    r.view.key_fraction = 29;
     r.view.key_octaves = 7;
     r.view.key_slow = (1u << 29) - 1u;
     r.view.key_known = 0xffffffffu - (2u << 29);

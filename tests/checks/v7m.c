@@ -1,6 +1,6 @@
-/* What fast/solid_v7m.c, texture_v7m.c, screen_v7m.c and sweep_v7m.c have in assembler against the same in C, on an
- * emulated board: lists of random triangles in a strip, random vertices, and random meshes. Ends with status 0 where
- * all is right.
+/* What fast/solid_v7m.c, texture_v7m.c and sweep_v7m.c, and depth/float_v7m.c, have in assembler against the same in C,
+ * on an emulated board: lists of random triangles in a strip, random vertices, and random meshes. Ends with status 0
+ * where all is right.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -116,6 +116,41 @@ awk '/^\| [0-9]+x[0-9]+, RGB565 / {
     }
     END { if (!bad) print (n == 3 ? "ok" : "FAILED") " readme_wire: " n + 0 " rows" }' hal/linux/README.md
 
+# ---- What a pixel of an effect takes --------------------------------------------------------------------------------
+# tests/tools/effect_rows.txt: rows of the table, and which of tests/records/effects.txt they show
+awk '
+    FILENAME ~ /effects.txt$/ {
+        if ($1 != "M3" && $1 != "M0") next
+        at = $1; n = $2; sub(/^[^ ]+ [^ ]+ /, ""); of[at, $0] = sprintf("%.0f", n / 100)
+        next }
+    /^#/ { next }
+    function figure(x) { return x + 0 >= 1000 ? int(x / 1000) sprintf(",%03d", x % 1000) : x }
+    function filled(text, at, name) {
+        while (match(text, /\{[^}]*\}/)) {
+            name = substr(text, RSTART + 1, RLENGTH - 2)
+            if (!((at, name) in of)) return "no " at " " name
+            text = substr(text, 1, RSTART - 1) figure(of[at, name]) substr(text, RSTART + RLENGTH)
+        }
+        return text
+    }
+    BEGIN { print "| | M3 | M0 |"; print "| --- | --- | --- |" }
+    { split($0, part, " [|] "); print "| " part[1] " | " filled(part[2], "M3") " | " filled(part[2], "M0") " |" }
+    ' tests/records/effects.txt tests/tools/effect_rows.txt >"$out/effects.table"
+effects=firmware/zstrip/effect/README.md
+if [ "$mode" = write ]; then
+    awk -v table="$out/effects.table" '
+        /^[|] [|] M3 [|] M0 [|]/ { while ((getline line <table) > 0) print line; old = 1 }
+        old && /^[|]/ { next }
+        { old = 0; print }' $effects >"$out/new" && cp "$out/new" $effects
+fi
+awk '/^[|] [|] M3 [|] M0 [|]/ { on = 1 } on && !/^[|]/ { exit } on' $effects >"$out/effects.is"
+if cmp -s "$out/effects.is" "$out/effects.table"; then
+    echo "ok readme_effects: $(($(wc -l <"$out/effects.table") - 2)) rows as on record"
+else
+    other=$(diff "$out/effects.is" "$out/effects.table" | grep '^>' | head -1)
+    echo "FAILED readme_effects: now $other (sh tests/tools/readme.sh build write)"
+fi
+
 # ---- Words, links, make targets --------------------------------------------------------------------------------------
 words=$(wc -w <README.md)
 if [ "$words" -le 1200 ]; then

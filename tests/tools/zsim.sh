@@ -65,18 +65,18 @@ said() { # the first lines of standard error
 }
 asked='|' refusal=0 seek=1
 z() { # ARGUMENT...    zsim, its exit status in $status
-    last=' zsim' words=''
+    last=' zsim' z_words=''
     for arg in "$@"; do
         case $arg in
         *[!A-Za-z0-9_./,=:-]* | '') last="$last '$arg'" ;;
         *) last="$last $arg" ;;
         esac
-        case $arg in */* | [0-9.-]*[0-9]*) ;; *) words="$words $arg" ;; esac
+        case $arg in */* | [0-9.-]*[0-9]*) ;; *) z_words="$z_words $arg" ;; esac
     done
     # Leaks are looked for once for each command without its numbers and paths, and at each refusal: the search takes as
     # long as zsim. Nowhere with seek=0.
-    case $asked in *"|$words|"*) leaks=$refusal ;; *) leaks=1 asked="$asked$words|" ;; esac
-    ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=$((leaks * seek)) "$zsim" "$@" >stdout 2>stderr </dev/null
+    case $asked in *"|$z_words|"*) z_leaks=$refusal ;; *) z_leaks=1 asked="$asked$z_words|" ;; esac
+    ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=$((z_leaks * seek)) "$zsim" "$@" >stdout 2>stderr </dev/null
     status=$?
 }
 is() { # WHAT HAVE WANT

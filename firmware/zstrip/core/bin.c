@@ -211,9 +211,9 @@ static ZS_RARE void shrink(struct zs_renderer *r)
     r->vert_packed = r->tris_packed = 0;
 }
 
-/* A quarter of the vertices is made free, not an eighth, in the first walk, as most triangles that
- * follow lie below the band, and where the band is one strip, as drawing it in sets costs little.
- */
+/* A quarter of the vertices is made free, not an eighth, in two cases: in the first walk, since
+ * most triangles that follow lie below the band; and in a band of one strip, since drawing it in
+ * sets costs little. */
 ZS_RARE int zs_bin_room(struct zs_renderer *r)
 {
     r->direct = 0;

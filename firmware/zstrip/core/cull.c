@@ -29,7 +29,7 @@ ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in,
 }
 
 /* Return the bounding sphere's radius, q48_16 world units, rounded up. scale: world units of a mesh
- * step, q32_32. The product is at most 2^17 * 2^47. */
+ * step, q32_32, at most SCALE_MAX: the product is at most 2^63. */
 static int64_t radius_of(const struct zs_mesh *mesh, uint64_t scale)
 {
     return (int64_t)((mesh->radius + 1u) * scale >> 16) + 1;

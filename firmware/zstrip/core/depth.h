@@ -9,15 +9,23 @@
 
 struct zs_job;
 struct zs_row;
+struct zs_screen_of;
 
 struct zs_depth {
-    /* Compute the constants of a frame, view->key_* and its flags. Return ZS_OK, or ZS_ERR_DEPTH if
-     * the mapping cannot be used with this camera. */
+    /* Compute the constants of a pass: screen_linear, pixelwise, piece_shift, piece_base, key_top,
+     * key_far, key_slow and key_known of the view, each of them, as the pass before may have left
+     * others; and what else the mapping reads. Return ZS_OK, or ZS_ERR_DEPTH if the mapping cannot
+     * be used with this camera. */
     int (*setup)(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
     /* Return zs_vertex.d for a distance, near <= z <= far, camera units. Perspective: lz is the
      * number of leading zeros of z, and rcp is 2^(63 - lz) / z. Orthographic: rcp and lz say
      * nothing about z. */
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
+    /* If not NULL, called in place of vertex for many of them, by fast/screen.c: project vertices
+     * from `at` on, which are in camera units, for a perspective camera with all sub-pixel bits.
+     * Return `end`, or the first one that is not between near and far, or not near the middle. */
+    struct zs_vertex *(*vertices)(const struct zs_screen_of *of, struct zs_vertex *at,
+                                  struct zs_vertex *end);
     /* Called if view.screen_linear is 0. Return 1 if keys are linear on this triangle all the same;
      * 0 if they are not: walk then draws the triangle. */
     int (*planes)(struct zs_job *job);
@@ -39,9 +47,11 @@ struct zs_depth {
                  uint32_t step);
 };
 
-/* Functions of zs_depth_recip and zs_depth_none that a mapping of a method shares. */
+/* Functions of zs_depth_recip and zs_depth_none that a mapping of a method shares, and of the float
+ * mappings for depth/float_v7m.c. */
 int zs_recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
 uint32_t zs_recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
+uint32_t zs_float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
 uint64_t zs_recip_inverse(const struct zs_view *view, uint32_t d);
 int zs_none_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
 uint32_t zs_none_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);

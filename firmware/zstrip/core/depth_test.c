@@ -32,13 +32,13 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
             (uint64_t)(key[1] - key[0]), (uint64_t)(key[2] - key[0]), k ? g->dx : g->dy));
         n = one > n ? one : n;
     }
-    const int64_t steep = zs_held64((n << 8) / g->area, (int64_t)1 << 46); /* of < 2^55 */
+    const int64_t steep = zs_held64((n << 8) / g->area, (int64_t)1 << 46); /* n << 8 < 2^63 */
     const int64_t slope = zs_round_shift(state->slope_bias * steep, 24);   /* < 2^37 */
     return (int32_t)zs_held64(state->bias + slope, BIAS_MAX);
 }
 
-/* Depth-test the keys of a piece, write those that pass, and colour each run of them. A key is
- * moved by the bias and held to 0 .. top; without a depth state the bias is 0. */
+/* Depth-test the keys of a piece, write those that pass, and colour each run of them. A key is held
+ * to top, moved by the bias, and held to 0 .. top; without a depth state the bias is 0. */
 void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                   uint32_t sum, uint32_t step)
 {

@@ -72,7 +72,7 @@ static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense,
             first = k;
     }
     for (int i = 0; i < p->n; i++) {
-        int64_t area = 0; /* |.| < 7 * 2^45 */
+        int64_t area = 0; /* |.| < 8 * 2^45 */
         int signs = 0;
         *fan = around + around[first + i];
         for (int k = 1; k + 1 < p->n; k++) {

@@ -77,8 +77,9 @@ static ZS_RARE uintptr_t place_pools(struct zs_renderer *r, uintptr_t at)
 }
 
 /* Compute the factor and shift that replace the division row / strip_h. With 2^l <= strip_h < 2^(l
- * + 1) and n = 19 + l, strip_mul exceeds 2^n / strip_h by at most 1. That adds at most row / 2^n to
- * a quotient, which is less than 2^-7 / strip_h; so the result is exact. */
+ * + 1) and n = 19 + l, strip_mul exceeds 2^n / strip_h by at most 1. That adds at most row / 2^n <
+ * 2^-7 / 2^l < 2^-6 / strip_h to a quotient, whose fraction is at most 1 - 1 / strip_h; so its
+ * floor is exact. */
 static ZS_RARE void strip_divisor(struct zs_renderer *r)
 {
     const uint32_t h = r->config.strip_h;
@@ -151,7 +152,8 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     if (place_pools(r, at) - at > bytes || (at & 3u))
         return ZS_ERR_ARENA;
     for (uint32_t v = 0; v < config->max_verts; v++)
-        r->vert_map[v] = r->vert_src[v] = 0; /* any value is correct: entries are checked */
+        r->vert_map[v] = r->vert_src[v] = 0; /* so that none is read uninitialised; entries are
+                                              checked, so any value is correct */
     r->window[1] = config->width;
     accelerators(r);
     r->ready = 1;

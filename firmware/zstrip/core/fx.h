@@ -1,4 +1,4 @@
-/* Fixed-point helpers: the only place where bits are meant to be lost.
+/* Fixed-point helpers.
  *
  * Formats: qI_F is signed, uqI_F unsigned, I counts the sign bit, I + F is the storage width.
  * Rounding is in each name or comment: floor, nearest (halves up), trunc (towards zero).
@@ -22,15 +22,13 @@ _Static_assert(sizeof(int) >= 4, "int must hold 32 bits");
 #define ZS_SUBPX_HALF 128
 #define ZS_GUARD_SUBPX ((int64_t)ZS_GUARD_PX * ZS_SUBPX_ONE)
 
-/* The extent of a binned triangle is at most twice the guard band. plane.c and raster.c rely on a
+/* The extent of a binned triangle is at most twice the guard band. plane.c and edges.c rely on a
  * bound of 2^22 sub-pixels. */
 #define ZS_EXTENT_BITS 22
 _Static_assert(2 * (ZS_GUARD_SUBPX + 8) < ((int64_t)1 << ZS_EXTENT_BITS), "guard band too wide");
 _Static_assert(ZS_GUARD_PX >= ZS_SIZE_MAX, "the guard band must hold the frame");
 _Static_assert(ZS_SIZE_MAX <= 4096,
-               "see the step count in plane.c and the strip division in bin.c");
-
-typedef int32_t q24_8; /* screen x, y, px */
+               "see the step count in plane.c and the strip division in frame.c");
 
 #if defined(__GNUC__)
 #define ZS_KERNEL_INLINE                                                                           \
@@ -121,7 +119,7 @@ static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
     return a > b ? a : b;
 }
 
-/* v / 2^n, nearest. 0 <= n <= 62, |v| < 2^62. */
+/* v / 2^n, nearest. 0 <= n <= 62, |v| < 2^63 - 1. */
 int64_t zs_round_shift(int64_t v, int n);
 /* v * 2^n, n of either sign, nearest. |result| < 2^62. */
 int64_t zs_scale2(int64_t v, int n);
@@ -139,14 +137,15 @@ static inline uint64_t zs_times(uint64_t v, int32_t d)
            ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
 }
 
-/* The first sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
-static inline int32_t zs_first_sample(q24_8 c)
+/* The first sample (row or column) at or after a coordinate, q24_8 px: ceil((c - 1/2 px) / 1 px).
+ */
+static inline int32_t zs_first_sample(int32_t c)
 {
     return (c + (ZS_SUBPX_HALF - 1)) >> ZS_SUBPX_BITS;
 }
 
 /* 2^63 / a, at most 2^32 - 1, within 2^-30 of it. a >= 2^31.
- * Cost  one table look-up, one wide and three narrow multiplications; no division.
+ * Cost  two table look-ups, one wide and three narrow multiplications; no division.
  * Exact tests/unit/test_fx.c checks the bound for arguments from 2^31 up in steps that reach every
  *       table entry. */
 uint32_t zs_recip(uint32_t a);
@@ -167,8 +166,8 @@ ZS_ALWAYS_INLINE uint32_t zs_recip16(uint32_t a)
     const uint32_t at = a << 1 >> 24;
     const uint32_t t = a << 9 >> 16;                 /* uq0_16 within the cell */
     const uint32_t y0 = zs_recip_at(at);             /* < 2^16 */
-    const uint32_t dy = y0 - zs_recip_at(at + 1u);   /* 0 .. 256 */
-    return 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
+    const uint32_t dy = y0 - zs_recip_at(at + 1u);   /* 128 .. 509 */
+    return 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^25 */
 }
 
 /* zs_recip, inlined, for loops with few other calls. fx.c derives its error. */
@@ -186,8 +185,8 @@ ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
     return r >> 31 ? r : UINT32_MAX;
 }
 
-/* 2^45 / a to 15 and a half bits: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. Needs no
- * 64-bit product. */
+/* 2^46 / a, with a relative error within 2^-14, at most 2^16 - 1. 2^30 <= a < 2^31. Needs no 64-bit
+ * product. */
 static inline uint32_t zs_recip15(uint32_t a)
 {
     const uint32_t at = a << 2 >> 24, y0 = zs_recip_at(at);

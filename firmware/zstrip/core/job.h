@@ -12,10 +12,7 @@
 #include "core/fx.h"
 #include "zstrip.h"
 
-struct zs_fast;
-struct zs_fast_texel;
 struct zs_row;
-struct zs_job;
 
 #define ZS_NIL 65535u
 _Static_assert(ZS_POOL_MAX < ZS_NIL, "16-bit indices need a value for none");
@@ -43,8 +40,8 @@ struct zs_plane64 {
 /* Two classes of size, which decide how gradients are computed (plane.c). */
 /* small: width + height up to this; one reciprocal of the area is exact enough */
 #define ZS_SMALL_EXTENT (256 * ZS_SUBPX_ONE)
-/* tiny: |dx| and dy from the top vertex up to this, and the area is at least that (see plane.c);
- * 32-bit products suffice. Most triangles are tiny */
+/* tiny: |dx| and dy from the top vertex up to ZS_TINY, the area at least ZS_TINY_AREA: 32-bit
+ * products suffice (zs_quotient, plane.h). Most triangles are tiny */
 #define ZS_TINY (64 * ZS_SUBPX_ONE)
 #define ZS_TINY_AREA (1 << 13)
 /* pixels: the columns of a tiny triangle are no further from its top vertex */

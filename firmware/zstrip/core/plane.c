@@ -32,7 +32,6 @@
 #include "core/fx.h"
 #include "core/plane.h"
 
-#define SMALL_EXTENT ZS_SMALL_EXTENT
 
 void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b,
                     const struct zs_vertex *c)
@@ -60,7 +59,7 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
 static int is_small(const struct zs_geom *g)
 {
     /* the first vertex is the top one */
-    return (int32_t)zs_range32(g->dx1, g->dx2) + zs_max32(g->dy1, g->dy2) <= SMALL_EXTENT;
+    return (int32_t)zs_range32(g->dx1, g->dx2) + zs_max32(g->dy1, g->dy2) <= ZS_SMALL_EXTENT;
 }
 
 void zs_plane_geom(struct zs_job *job)

@@ -48,10 +48,10 @@ ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, 
 
 ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 {
-    const int sky = r->scene->sky != 0; /* its fill function takes one row at a time */
     const int32_t width = r->config.width, rows = strip_rows(r);
-    for (int32_t row = 0; row < (sky ? rows : 1); row++)
-        zs_raster_clear(r, row, 0, sky ? width : width * rows);
+    const int32_t at_once = r->scene->sky ? 1 : rows; /* a sky is filled row by row */
+    for (int32_t row = 0; row < rows; row += at_once)
+        zs_raster_clear(r, row, 0, width * at_once);
 }
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */

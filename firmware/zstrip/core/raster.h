@@ -7,8 +7,8 @@
 
 #include "zstrip.h"
 
-/* Draw the triangles of strip r->strip: those in its bin and those in r->active. Triangles that
- * continue in the strip below are left in r->active. */
+/* Draw the triangles of strip r->strip, in the order of the method's list. Those that continue in
+ * the strip below are left in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Skip strip r->strip: pass its triangles on to the strip below without drawing them. */
 void zs_raster_leave(struct zs_renderer *r);

@@ -2,8 +2,8 @@
  *
  * World units are the user's choice, and may be coarse or fine. The renderer works in camera units,
  * 2^shift for each world unit. The shift is chosen once for each frame, so that the farthest
- * coordinate in view lies between 2^29 and 2^30. So 30 bits hold every position, whatever the
- * user's unit is.
+ * coordinate in view is below 2^30, and about 2^29 or more unless the shift is at its limit. So 30
+ * bits hold every position, whatever the user's unit is.
  *
  * x' and y' are the camera's x and -y times ratio. The focal length is ratio * 2^scale_bits
  * sub-pixels, with 1/2 < ratio <= 1 (less for focal lengths below half a pixel). So the projection
@@ -35,7 +35,7 @@ static int range_ok(const struct zs_camera *camera)
 }
 
 /* Split num / den into ratio * 2^*bits with ratio in (1/2, 1], q2_30. 2^24 <= num < 2^37,
- * ZS_HEIGHT_MIN <= den < 2^47, so num / den < 2^33 and -24 <= *bits <= 33. */
+ * ZS_HEIGHT_MIN <= den < 2^47, so num / den <= 2^33 and -24 <= *bits <= 33. */
 static int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
 {
     int32_t up = zs_clz64(num) - zs_clz64(den) + 31; /* num 2^up / den in (2^30, 2^32), or up < 0 */
@@ -57,7 +57,8 @@ void zs_view_side(int32_t out[2], uint64_t focal, uint32_t subpx)
     }
     const int32_t v[3] = { (int32_t)focal, (int32_t)half, 0 };
     int32_t n[3] = { 0, ZS_Q30_ONE, 0 };
-    (void)zs_unit(n, v); /* if half is 2^13 times larger, v may be 0; the default is right then */
+    (void)zs_unit(n, v); /* perspective: v is not 0, as the larger one is in [2^29, 2^30), or focal
+                            is 2^16 or more; for orthographic cameras the sides are not read */
     out[0] = n[0];
     out[1] = n[1];
 }

@@ -21,7 +21,7 @@
 #include "core/xform.h"
 #include "zs_shader.h"
 
-#define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
+#define SHIFT_MAX 29 /* keeps t below 2^60, and ZS_ROW_S2 at most 14 */
 #define SPLIT_MAX 15
 
 /* Set one row of c = (m . p + t) / 2^shift, nearest; m is in row[0 .. 2]. |m| <= 2^30, |t| < 2^60,
@@ -55,7 +55,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     struct zs_xform *xf = &r->xform;
     const struct zs_view *view = &r->view;
     const struct zs_instance *in = zs_instance_of(r, number);
-    ZS_ASSERT(view->shift >= -16 && view->shift <= 30);
+    ZS_ASSERT(view->shift >= -3 && view->shift <= 30);
     if (zs_clz64((uint64_t)b->reach) < 18 + view->shift) /* 2^30 camera units */
         return 0;
     xf->instance = in;
@@ -215,6 +215,6 @@ void zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *
     struct zs_point p;
     zs_xform_vertex(&r->xform, v, &p);
     const uint32_t code = zs_xform_outcode(&r->view, &p);
-    if (code || !zs_xform_project(r, &p, out)) /* only if a mesh exceeds its sphere */
-        out->d = ZS_D_OUT + (code ? code : zs_xform_outcode(&r->view, &p));
+    if (code || !zs_xform_project(r, &p, out)) /* 0: rounded out of the guard band */
+        out->d = ZS_D_OUT + code;
 }

@@ -40,6 +40,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "arch/screen_v7m.h"
 #include "core/depth.h"
 #include "core/fx.h"
 #include "core/plane.h"
@@ -52,22 +53,21 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
         return ZS_ERR_DEPTH; /* with an orthographic camera, near / z is not linear on the screen */
     view->screen_linear = view->pixelwise = 0;
     view->key_top = ((1u << bits) - 1u) << 16;
-    view->key_mantissa = (uint8_t)(bits - exponent_bits);
     view->key_octaves = (uint8_t)((1u << exponent_bits) - 1u);
     /* near = key_mul / 2^key_shift camera units */
     const int lz = zs_clz64((uint64_t)camera->z_near);
     view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
     view->key_shift = lz - 16 - view->shift;
     view->key_lz = view->key_octaves - 1 - view->key_shift;
-    view->key_fraction = (uint8_t)(view->key_mantissa + 16);
+    view->key_fraction = (uint8_t)(bits - exponent_bits + 16u);
     view->key_common = (uint8_t)(view->key_octaves - 1u);
-    view->key_code = view->key_top + 0x10000u - (1u << (view->key_mantissa + 16));
+    view->key_code = view->key_top + 0x10000u - (1u << view->key_fraction);
     view->piece_base = view->key_top + 0xffffu;
-    view->piece_shift = (uint8_t)(view->key_mantissa + 16);
+    view->piece_shift = (uint8_t)view->key_fraction;
     view->key_far = 0;
-    view->key_slow = (1u << (view->key_mantissa + 16)) - 1u;
+    view->key_slow = (1u << view->key_fraction) - 1u;
     /* all but the last octave */
-    view->key_known = view->key_top + 0xffffu - (2u << (view->key_mantissa + 16));
+    view->key_known = view->key_top + 0xffffu - (2u << view->key_fraction);
     return ZS_OK;
 }
 
@@ -110,7 +110,7 @@ static inline uint32_t below_code(const struct zs_view *view, uint32_t key)
 static ZS_RARE ZS_NOINLINE uint32_t last_vertex(const struct zs_view *view, uint32_t p,
                                                 int32_t octave)
 {
-    const int32_t m = view->key_mantissa + 16, last = view->key_octaves; /* m: 19 .. 29 */
+    const int32_t m = view->key_fraction, last = view->key_octaves; /* m: 19 .. 29 */
     if (octave > last)
         return 0; /* at near, up to the rounding of z */
     const int32_t shift = 31 - m + (octave < 1 ? 1 - octave : 0);
@@ -125,7 +125,7 @@ static ZS_RARE ZS_NOINLINE uint32_t last_vertex(const struct zs_view *view, uint
     return view->key_top + 0x10000u - code; /* modulo 2^32: 0 where code came to 2^32 */
 }
 
-static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
+uint32_t zs_float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
     (void)z;
     uint32_t p = zs_umulh(view->key_mul, rcp); /* [2^30, 2^32): r = p / 2^(key_shift + 31 - lz) */
@@ -144,7 +144,7 @@ static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
  * the same. */
 static inline int32_t octave_of(const struct zs_view *view, uint32_t key)
 {
-    const int32_t o = (int32_t)(below_code(view, key) >> (view->key_mantissa + 16));
+    const int32_t o = (int32_t)(below_code(view, key) >> view->key_fraction);
     return o < 1 ? 1 : o;
 }
 
@@ -152,7 +152,7 @@ static inline int32_t octave_of(const struct zs_view *view, uint32_t key)
 static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int32_t octave)
 {
     /* <= 2^30 */
-    return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) + 1u;
+    return below_code(view, key) - ((uint32_t)(octave - 1) << view->key_fraction) + 1u;
 }
 
 /* float_inverses for vertices in several octaves. */
@@ -203,7 +203,7 @@ static void float_inverses(const struct zs_view *view, const struct zs_vertex *c
 static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t nearest)
 {
     const struct zs_view *view = &job->r->view;
-    const int32_t shift = 30 - (view->key_mantissa + 16); /* 1 .. 11 */
+    const int32_t shift = 30 - view->key_fraction; /* 1 .. 11 */
     uint32_t w[3];
     for (int k = 0; k < 3; k++) {
         w[k] = mantissa_of(view, job->v[k]->d, octave[k])
@@ -238,7 +238,7 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
         return 0;
     for (int k = 0; k < 3; k++) {
         /* -19 .. 19 */
-        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);
+        const int32_t up = W_BITS - 1 - view->key_fraction - (nearest - octave[k]);
         w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]),
                                    up); /* <= 2^39 */
     }
@@ -254,7 +254,7 @@ ZS_IN_ORDER static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct 
                                                int32_t i, int32_t n, uint32_t w, int32_t farther)
 {
     const struct zs_view *view = &job->r->view;
-    const int32_t m = view->key_mantissa + 16,
+    const int32_t m = view->key_fraction,
                   shift = 30 - m - farther; /* m is 19 .. 29: 0 .. 11 */
     const uint32_t start = view->key_top + 0x18000u -
                            ((uint32_t)(job->w64_scale - 1 - farther) << m);
@@ -333,7 +333,7 @@ ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct
                                                 uint64_t w, int32_t down, int32_t i, int32_t n)
 {
     const struct zs_view *view = &job->r->view;
-    const int32_t m = view->key_mantissa + 16, shift = 63 - m - down; /* 5 .. 43 */
+    const int32_t m = view->key_fraction, shift = 63 - m - down; /* 5 .. 43 */
     const uint32_t code = ((uint32_t)(job->w64_scale - down) << m) + rounded(w, shift, 0);
     const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u; /* modulo 2^32 */
     const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);      /* gx may be any where n is 1 */
@@ -414,14 +414,14 @@ static int float_planes(struct zs_job *job)
     const uint32_t code = below_code(view, job->v[0]->d);
     const uint32_t differ = (code ^ below_code(view, job->v[1]->d)) |
                             (code ^ below_code(view, job->v[2]->d));
-    return !(differ >> (view->key_mantissa + 16)) || crossing_planes(job);
+    return !(differ >> view->key_fraction) || crossing_planes(job);
 }
 
 #define WALK (ZS_SET_UP ? float_walk : zs_depth_walk)
 #define FLOAT_DEPTH(setup_)                                                                        \
     {                                                                                              \
-        .setup = setup_, .vertex = float_vertex, .planes = float_planes, .walk = WALK,            \
-        .row = any_row, .inverses = float_inverses                                                 \
+        .setup = setup_, .vertex = zs_float_vertex, .vertices = ZS_V7M ? zs_screen_v7m : 0,        \
+        .planes = float_planes, .walk = WALK, .row = any_row, .inverses = float_inverses           \
     }
 
 const struct zs_depth zs_depth_float = FLOAT_DEPTH(any_setup);

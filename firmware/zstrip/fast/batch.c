@@ -14,7 +14,6 @@
 #include "fast/parts.h"
 #include "fast/screen.h"
 #include "fast/sweep.h"
-#include "shade/stages.h"
 #include "zs_fast.h"
 
 static inline const int32_t *xy(const struct zs_vertex *v)
@@ -405,7 +404,7 @@ static void begin(struct zs_sweep *s, struct zs_renderer *r)
     s->varyings = shader->vertex ? r->config.varyings : 0u;
     s->face = shader->face;
 #if ZS_V7M
-    if ((s->raw = s->face == zs_raw_face ? in->mesh->face_raw : 0) != 0)
+    if ((s->raw = shader->raw ? in->mesh->face_raw : 0) != 0)
         s->face = 0;
 #endif
     s->instance = (uint16_t)r->xform.number;

@@ -156,17 +156,12 @@ static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t n, stru
 }
 
 #if ZS_V7M
-uint32_t zs_screen_depth(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
-{
-    return view->depth->vertex(view, z, rcp, lz);
-}
-
-/* For a perspective camera with all sub-pixel bits; here for floating-point depth alone. */
+/* For a perspective camera with all sub-pixel bits; here for mappings with a loop of their own. */
 static void project_usual(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out)
 {
     const struct zs_screen_of of = zs_screen_of(&r->view);
     struct zs_vertex *const end = out + n;
-    while ((out = zs_screen_v7m(&of, out, end)) != end)
+    while ((out = r->view.depth->vertices(&of, out, end)) != end)
         screen_slowly(r, out++);
 }
 #else
@@ -178,7 +173,7 @@ ZS_ALWAYS_INLINE void project_usual(const struct zs_renderer *r, uint32_t n, str
 
 static void project(const struct zs_renderer *r, uint32_t n, struct zs_vertex *out)
 {
-    if (r->view.perspective && r->view.snap == 0 && (!ZS_V7M || r->view.key_slow))
+    if (r->view.perspective && r->view.snap == 0 && (!ZS_V7M || r->view.depth->vertices))
         project_usual(r, n, out);
     else
         screen_any(r, n, out);

@@ -5,6 +5,7 @@
 #ifndef ZS_FAST_SCREEN_H
 #define ZS_FAST_SCREEN_H
 
+#include "arch/screen_v7m.h"
 #include "core/cull.h"
 
 /* Set r->xform.clip_depth and clip_guard: 0 if no vertex of the current instance can fail that clip
@@ -20,18 +21,7 @@ void zs_screen_known(const struct zs_renderer *r, uint32_t slot, uint32_t end);
  * record them (zs_bin_mark). */
 void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n);
 
-#if ZS_V7M
-/* What zs_screen_v7m needs of a view. */
-struct zs_screen_of {
-    uint32_t near, range; /* z_near; z_far less it */
-    int32_t down;         /* 30 less view.scale_bits */
-    uint32_t common;      /* view.key_common */
-    int32_t cx, cy;
-    uint32_t mul;         /* view.key_mul */
-    int32_t lz;           /* view.key_lz */
-    uint32_t fraction, code; /* view.key_fraction, key_code */
-    const struct zs_view *view;
-};
+/* What zs_depth.vertices needs of a view. */
 static inline struct zs_screen_of zs_screen_of(const struct zs_view *view)
 {
     return (struct zs_screen_of){ .near = (uint32_t)view->z_near,
@@ -46,12 +36,5 @@ static inline struct zs_screen_of zs_screen_of(const struct zs_view *view)
                                   .code = view->key_code,
                                   .view = view };
 }
-/* Project vertices from `at` on that are in camera units. Return `end`, or the first one that is
- * for screen_slowly (fast/screen.c). */
-struct zs_vertex *zs_screen_v7m(const struct zs_screen_of *of, struct zs_vertex *at,
-                                struct zs_vertex *end);
-/* Return the depth of a vertex: view->depth->vertex. */
-uint32_t zs_screen_depth(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
-#endif
 
 #endif

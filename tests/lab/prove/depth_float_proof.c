@@ -99,8 +99,8 @@ static void a_view(uint32_t bits, uint32_t exponent_bits)
 
 static uint32_t any_of_octave(int32_t o)
 {
-    const uint32_t most = (((uint32_t)o + 1u) << (view.key_mantissa + 16)) - 1u; /* code + 2^-16; modulo 2^32 */
-    const uint32_t least = o > 1 ? (uint32_t)o << (view.key_mantissa + 16) : 0u;
+    const uint32_t most = (((uint32_t)o + 1u) << view.key_fraction) - 1u; /* code + 2^-16; modulo 2^32 */
+    const uint32_t least = o > 1 ? (uint32_t)o << view.key_fraction : 0u;
     return any_u32(view.piece_base - most, view.piece_base - least);
 }
 

@@ -1,4 +1,4 @@
-/* depth_linear.c.
+/* depth/linear.c.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,4 +1,4 @@
-/* depth_recip.c.
+/* depth/recip.c.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,4 +1,5 @@
-/* persp.c, persp.h, rows.h, less.c, test.c: w of vertices, division by w, the loops over rows and pixels, depth states.
+/* persp.c, persp.h, rows.h, less.c, depth_test.c: w of vertices, division by w, the loops over rows and pixels, depth
+ * states.
  *
  * SPDX-License-Identifier: MIT
  */

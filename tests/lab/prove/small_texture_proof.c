@@ -1,5 +1,5 @@
-/* texture.c: set-up. Its rows are as solid.c's (small_proof.c), and what they draw is compared with the stages' by
- * tests/unit/test_texture.c.
+/* fast/fast_texture.c: set-up. Its rows are as fast_solid.c's (small_proof.c), and what they draw is compared with the
+ * stages' by tests/unit/test_texture.c.
  *
  * SPDX-License-Identifier: MIT
  */
