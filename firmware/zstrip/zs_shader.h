@@ -80,11 +80,11 @@ struct zs_shader {
     uint8_t opaque;     /* 1: the shader colours every pixel that has passed the depth test, and
                            does not read its old colour; accelerators may leave out what it covers.
                            0 is right for every shader: from the first such instance on, the frame
-                           is drawn without the accelerator `tiles`. Bit 1 is the library's:
-                           zs_filtered_set (zs_filter.h) takes shaders that have it */
+                           is drawn without the accelerator `tiles`. Bits 1 and 2 are the
+                           library's: zs_filtered_set (zs_filter.h) takes shaders that have bit 1;
+                           bit 2 is zs_shade_raw's */
     uint8_t by_fragment; /* set by ZS_FRAGMENTS */
     uint8_t layer;       /* set by ZS_LAYER (zs_blend.h): drawn last by zs_method_transparent */
-    uint8_t raw;         /* zs_shade_raw: face gives mesh.face_raw, where there is one */
 };
 
 #define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run, .by_fragment = 1

@@ -9,12 +9,13 @@
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/job.h"
-#include "zs_shader.h"
 #include "core/xform.h"
 #include "fast/parts.h"
 #include "fast/screen.h"
 #include "fast/sweep.h"
+#include "shade/stages.h"
 #include "zs_fast.h"
+#include "zs_shader.h"
 
 static inline const int32_t *xy(const struct zs_vertex *v)
 {
@@ -404,7 +405,7 @@ static void begin(struct zs_sweep *s, struct zs_renderer *r)
     s->varyings = shader->vertex ? r->config.varyings : 0u;
     s->face = shader->face;
 #if ZS_V7M
-    if ((s->raw = shader->raw ? in->mesh->face_raw : 0) != 0)
+    if ((s->raw = shader->opaque == ZS_RAW ? in->mesh->face_raw : 0) != 0)
         s->face = 0;
 #endif
     s->instance = (uint16_t)r->xform.number;

@@ -33,8 +33,7 @@ enum {
 
 static uint32_t rows_of(const struct zs_renderer *r)
 {
-    const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h, left = r->config.height - y0;
-    return left < r->config.strip_h ? left : r->config.strip_h;
+    return (uint32_t)zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
 }
 
 static void touch_begin(struct zs_renderer *r)

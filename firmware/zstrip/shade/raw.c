@@ -12,5 +12,5 @@ uint16_t zs_raw_face(const struct zs_shading *s, uint32_t t)
     return zs_wire16(in->mesh->face_raw ? in->mesh->face_raw[t] : zs_rgb565(c->r, c->g, c->b));
 }
 
-const struct zs_shader zs_shade_raw = { .face = zs_raw_face, .run = zs_solid_run, .opaque = 1,
-                                      .raw = 1 };
+const struct zs_shader zs_shade_raw = { .face = zs_raw_face, .run = zs_solid_run,
+                                      .opaque = ZS_RAW };

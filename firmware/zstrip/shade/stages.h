@@ -10,6 +10,8 @@
 
 #include "zs_shader.h"
 
+/* zs_shader.opaque of zs_shade_raw, whose face gives mesh.face_raw where there is one. */
+#define ZS_RAW 5u
 /* zs_shader.face: a colour, as it lies in memory; run: it fills the pixels. */
 uint16_t zs_raw_face(const struct zs_shading *s, uint32_t t);
 uint16_t zs_flat_face(const struct zs_shading *s, uint32_t t);
