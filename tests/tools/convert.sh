@@ -57,15 +57,20 @@ place_of() { # TO
 # of megabytes has that of others, with more meshes. The fourth takes all, and a number that does not fit is an error
 # there.
 checked=' ' # checksums of forms
+form_of() { # FILE...    what is left of them without numbers, names and comments, as a checksum
+    cat "$@" | sed 's/[0-9][0-9a-fx.]*/0/g; s/-0/0/g; s/"[^"]*"/""/g
+        s/{[ 0{},]*}/{ 0 }/g; s/0\(, 0\)*/0/g; /^ *\*/d; /^ *\/\*/d' | uniq | cksum | tr ' ' -
+}
 varyings_of() { # TO    what the compiler is told for it
     ! grep -q ZS_VARYINGS_TEXTURE_GLOSS "$1/m.h" || echo -DZS_VARYINGS_MAX=4
 }
 compile() { # TO PROGRAM.c
     if [ "$(wc -c <"$1/m.c")" -lt 2000000 ]; then
-        this=$(cat "$1/m.c" "$1/m.h" | sed 's/[0-9][0-9a-fx.]*/0/g; s/-0/0/g; s/"[^"]*"/""/g
-            s/{[ 0{},]*}/{ 0 }/g; s/0\(, 0\)*/0/g; /^ *\*/d; /^ *\/\*/d' | uniq | cksum | tr ' ' -)
+        this=$(form_of "$1/m.c" "$1/m.h")
         case $checked in *" $this "*) ;; *) syntax "$1" ;; esac
-        checked="$checked$this "
+        header=$(form_of "$1/m.h")
+        case $checked in *" $header "*) ;; *) header_syntax "$1" ;; esac
+        checked="$checked$this $header "
     fi
     { [ -f "$1/m.o" ] || # of the round trip
         gcc -std=c11 -O0 -c -Wall -Wextra -Wpedantic -Werror -Iheaders $(varyings_of "$1") "$1/m.c" -o "$1/m.o" \
@@ -81,6 +86,8 @@ syntax() { # TO
             $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 ||
             wrong "$compiler: $(head -c 400 cc.log)"
     done
+}
+header_syntax() { # TO
     for compiler in 'g++ -x c++ -std=c++14' 'clang++ -x c++ -std=c++14'; do
         $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only $(varyings_of "$1") -I"$top/firmware/zstrip" \
             -include "$1/m.h" /dev/null >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
