@@ -130,7 +130,7 @@ void quotients(void)
  * of a small one's: what is divided is at most 2^48 */
 void gradients(void)
 {
-    static const int32_t most[2] = { SMALL_EXTENT, ZS_TINY };
+    static const int32_t most[2] = { ZS_SMALL_EXTENT, ZS_TINY };
     for (int tiny = 0; tiny < 2; tiny++) {
         const int32_t d[2] = { any_i32(-most[tiny], most[tiny]), any_i32(-most[tiny], most[tiny]) };
         any_reciprocal(-31, -1);
@@ -164,7 +164,7 @@ void small_division(void)
 static void plane_of(int small, int tiny, int32_t exp)
 {
     struct zs_geom *g = &job.geom;
-    const int32_t most = tiny ? ZS_TINY : small ? SMALL_EXTENT : SPAN_MAX;
+    const int32_t most = tiny ? ZS_TINY : small ? ZS_SMALL_EXTENT : SPAN_MAX;
     any_sides(most);
     g->tiny = tiny;
     if (small) {
