@@ -11,7 +11,7 @@
     assigns *out \from *g, v0, v1, v2; */
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2, struct zs_plane64 *out);
 /*@ assigns *out \from *g, v0, v1, v2, kind; */
-void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2, enum zs_plane_kind kind,
+void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2, int32_t kind,
                 struct zs_plane *out);
 /*@ assigns \nothing; */
 static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t w,

@@ -4,6 +4,7 @@
 # reads out of bounds or of what was not written are alarms; so is a bound of the proof's own that does not hold.
 # What a proof covers stands in the comment before its function, in tests/lab/prove/*_proof.c.
 # Usage: tests/lab/prove/run.sh BUILD [PATTERN]   only proofs whose name holds PATTERN
+#        tests/lab/prove/run.sh BUILD compiles    whether all of them are C that fits the renderer: for make test
 #
 # SPDX-License-Identifier: MIT
 set -u
@@ -12,6 +13,17 @@ out=$1/prove
 only=${2:-}
 mkdir -p "$out"
 failed=0 proofs=0
+if [ "$only" = compiles ]; then
+    . tests/lib/ok.sh
+    for type in int 'unsigned int' 'long long' 'unsigned long long'; do # what Frama-C brings
+        echo "$type Frama_C_$(echo "$type" | tr ' ' _)_interval($type lo, $type hi);"
+    done >"$out/__fc_builtin.h"
+    for file in tests/lab/prove/*.c; do
+        gcc -std=c11 -fsyntax-only -Ifirmware/zstrip -Itests/lab/prove -I"$out" "$file" 2>"$out/why.txt" &&
+            ok "$file compiles" || bad "$file compiles" "$(grep -m1 error "$out/why.txt")"
+    done
+    exit "$failed"
+fi
 
 # FILE: NAME|FLAGS|WHAT IT COVERS, a line a proof
 list() {
