@@ -60,6 +60,10 @@ none "pictures of examples are the same on M3 and host, $(wc -l <"$out/mps2.sums
 
 # Each alone, with what it names of the renderer: its function is where the program begins
 objects=$top/fw/mps2
+find "$objects/firmware/zstrip" -name '*.o' | while read -r object; do # of sources that have moved
+    source=${object#"$objects"/}
+    [ -e "${source%.o}.c" ] || rm -f "$object"
+done
 for source in firmware/examples/*.c; do
     name=$(basename "$source" .c)
     # shellcheck disable=SC2046
