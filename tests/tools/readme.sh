@@ -171,7 +171,8 @@ if [ -z "$broken" ]; then echo "ok readme_links ($links)"; else echo "FAILED rea
 targets=$(xargs grep -ohE '`make [a-z][a-z-]*' <"$out/readmes" | cut -d ' ' -f 2 | sort -u)
 missing=
 for target in $targets; do
-    grep -qE "^(## )?([a-z-]+ )*$target( [a-z-]+)*:" Makefile $(find firmware sim tests hal -name "*.mk") || missing="$missing $target"
+    grep -qE "^(## )?([a-z-]+ )*$target( [a-z-]+)*:" Makefile $(find firmware sim tests hal -name "*.mk") ||
+        missing="$missing $target"
 done
 if [ -z "$missing" ]; then
     echo "ok readme_targets ($(echo "$targets" | wc -w))"
