@@ -171,40 +171,28 @@ END
 first_error() {
     grep -m1 -E 'error|undefined' "$B/headers.txt" || head -n 1 "$B/headers.txt"
 }
-# COMPILER STD FLAGS FILE...: the compiler takes them all at once
+# COMPILER STD SUFFIX FLAGS: each file by itself; the compiler takes them all at once
 clean() {
-    compiler=$1 std=$2 flags=$3
-    shift 3
     for none in 0 1; do
         # shellcheck disable=SC2086
-        "$compiler" -std="$std" $flags -DZS_NO_FAST=$none $INC -fsyntax-only "$@" 2>"$B/headers.txt" || {
-            bad "headers as $std by $compiler, ZS_NO_FAST=$none" "$(first_error)"
+        "$1" -std="$2" $4 -DZS_NO_FAST=$none $INC -fsyntax-only "$dir"/*."$3" 2>"$B/headers.txt" || {
+            bad "headers as $2 by $1, ZS_NO_FAST=$none" "$(first_error)"
             return
         }
     done
-    ok "headers as $std by $compiler"
+    ok "headers as $2 by $1"
 }
-# Whether a header includes all that it needs depends neither on the dialect nor on the compiler: each has a file of its
-# own in the oldest C and C++ by gcc, and all are in one file in the others, the last first.
-all=''
 for h in $HEADERS; do
     name=$(basename "$h")
     # twice, and a declaration, because zs_config.h has none and C asks for one
-    printf '#include "%s"\n#include "%s"\nextern int declared;\n' "$name" "$name" >"$dir/only_${name%.h}.c"
-    cp "$dir/only_${name%.h}.c" "$dir/only_${name%.h}.cpp"
-    all="#include \"$name\"
-$all"
+    printf '#include "%s"\n' "$name" "$name" | sed '$a extern int declared;' |
+        tee "$dir/only_${name%.h}.c" >"$dir/only_${name%.h}.cpp"
 done
-echo "$all" >"$dir/all.c"
-cp "$dir/all.c" "$dir/all.cpp"
-clean gcc c99 "$C" "$dir"/*.c
-clean g++ c++11 "$CXX" "$dir"/*.cpp
-C_ALL="$dir/main.c $dir/all.c" CXX_ALL="$dir/main.cpp $dir/all.cpp"
-# shellcheck disable=SC2086
-for dialect in 'gcc c11' 'gcc c17' 'clang c99' 'clang c11' 'clang c17'; do clean $dialect "$C" $C_ALL; done
-# shellcheck disable=SC2086
-for dialect in 'g++ c++14' 'g++ c++17' 'g++ c++20' 'clang++ c++11' 'clang++ c++14' 'clang++ c++17' 'clang++ c++20'; do
-    clean $dialect "$CXX" $CXX_ALL
+for compiler in gcc clang; do
+    for std in c99 c11 c17; do clean $compiler $std c "$C"; done
+done
+for compiler in g++ clang++; do
+    for std in c++11 c++14 c++17 c++20; do clean $compiler $std cpp "$CXX"; done
 done
 
 # ---- Linked -------------------------------------------------------------------------------------------------------
@@ -306,9 +294,7 @@ int main(void)
     return err ? 1 : wrong ? 2 : seen < 4000 ? 3 : 0;
 }
 END
-if gcc -std=c11 -DZS_VARYINGS_MAX=8 -Ifirmware/zstrip -ffunction-sections -Wl,--gc-sections "$dir/eight.c" \
-    firmware/zstrip/core/*.c firmware/zstrip/depth/*.c firmware/zstrip/shade/*.c firmware/zstrip/support/camera.c \
-    firmware/zstrip/support/pose.c -o "$dir/eight" \
+if gcc -std=c11 -DZS_VARYINGS_MAX=8 -Ifirmware/zstrip "$dir/eight.c" firmware/zstrip/*/*.c -o "$dir/eight" \
     2>"$B/headers.txt"; then
     "$dir/eight"
     status=$?

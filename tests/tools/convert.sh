@@ -632,9 +632,7 @@ refused() { # NAME STATUS TEXT ARGUMENT...    nothing is written or touched
     begin "refused_$1"
     want=$2 text=$3
     shift 3
-    refusal=1
     z convert "$@"
-    refusal=0
     one_line "$want" "$text"
     [ ! -e none ] || wrong "none/ was made"
     is "what is in kept/" "$(ls -A kept) $(cat kept/m.h)" "m.h old"

@@ -70,7 +70,6 @@ together() { # SHADE NAME NAME: its letter in $seen
     option_of "$2" && first=$option
     option_of "$3" && second=$option
     [ "$2" != "$3" ] || second=
-    [ "$2" = "$3" ] && seek=1 || seek=0 # leaks, of each option alone
     # shellcheck disable=SC2046,SC2086
     z render ball.obj $(look_of "$1") $view $first $second --out "out/$2-$3.png"
     case $status in 0) seen=+ ;; 1 | 2) seen=$(letter) ;; *) seen='?' ;; esac

@@ -63,20 +63,15 @@ last=''
 said() { # the first lines of standard error
     head -c 400 stderr | tr '\n' '|'
 }
-asked='|' refusal=0 seek=1
 z() { # ARGUMENT...    zsim, its exit status in $status
-    last=' zsim' z_words=''
+    last=' zsim'
     for arg in "$@"; do
         case $arg in
         *[!A-Za-z0-9_./,=:-]* | '') last="$last '$arg'" ;;
         *) last="$last $arg" ;;
         esac
-        case $arg in */* | [0-9.-]*[0-9]*) ;; *) z_words="$z_words $arg" ;; esac
     done
-    # Leaks are looked for once for each command without its numbers and paths, and at each refusal: the search takes as
-    # long as zsim. Nowhere with seek=0.
-    case $asked in *"|$z_words|"*) z_leaks=$refusal ;; *) z_leaks=1 asked="$asked$z_words|" ;; esac
-    ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=$((z_leaks * seek)) "$zsim" "$@" >stdout 2>stderr </dev/null
+    "$zsim" "$@" >stdout 2>stderr </dev/null
     status=$?
 }
 is() { # WHAT HAVE WANT
@@ -156,10 +151,8 @@ refused() { # NAME WHAT-THE-LINE-HOLDS MODEL OPTION...
     what=$2
     input=$3
     shift 3
-    refusal=1
     z render "$input" --out refused/old.png --depth-out refused/d.pgm --id-out refused/i.u32 \
         --stats refused/s.json "$@"
-    refusal=0
     one_line 1 "$input" "$what"
     case $name in refused_missing*) ;; *) [ -e "$input" ] || wrong "there is no $input to refuse" ;; esac
     untouched
@@ -168,9 +161,7 @@ usage() { # NAME WHAT-THE-LINE-HOLDS ARGUMENT...
     begin "usage_$1"
     what=$2
     shift 2
-    refusal=1
     z "$@"
-    refusal=0
     one_line 2 "$what"
     untouched
 }

@@ -215,6 +215,6 @@ void zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *
     struct zs_point p;
     zs_xform_vertex(&r->xform, v, &p);
     const uint32_t code = zs_xform_outcode(&r->view, &p);
-    if (code || !zs_xform_project(r, &p, out)) /* 0: rounded out of the guard band */
+    if (code || !zs_xform_project(r, &p, out)) /* or rounded out of the guard band */
         out->d = ZS_D_OUT + code;
 }

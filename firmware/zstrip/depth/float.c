@@ -63,7 +63,7 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     view->key_common = (uint8_t)(view->key_octaves - 1u);
     view->key_code = view->key_top + 0x10000u - (1u << view->key_fraction);
     view->piece_base = view->key_top + 0xffffu;
-    view->piece_shift = (uint8_t)view->key_fraction;
+    view->piece_shift = view->key_fraction;
     view->key_far = 0;
     view->key_slow = (1u << view->key_fraction) - 1u;
     /* all but the last octave */
