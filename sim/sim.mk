@@ -11,8 +11,9 @@ GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
 LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_help.c sim/cli/option_table.c sim/panel/panel_bus.c \
             sim/panel/panel_frame.c sim/cli/sim.c sim/cli/value.c
-# -rdynamic: a scene's own file (sim/project/scene_file.c) takes the renderer's functions from the program
-LIBS = -rdynamic -lassimp -lmeshoptimizer -lpng -lz -lturbojpeg -lm -ldl -pthread
+# -rdynamic: a scene's own file (sim/project/scene_file.c) takes the renderer's functions from the program. assimp is
+# loaded where a model is (sim/load/assimp_library.c)
+LIBS = -rdynamic -lmeshoptimizer -lpng -lz -lturbojpeg -lm -ldl -pthread
 
 ## view: build/zsim with windows: zsim view MODEL
 view: $(B)/.setup-view

@@ -34,6 +34,10 @@ static void *buffer_new(void)
         return NULL;
     buffer = (void *)(((uintptr_t)mapped + PAGE - 1) & ~(uintptr_t)(PAGE - 1));
     (void)madvise(buffer, BUFFER, MADV_HUGEPAGE);
+#ifdef __SANITIZE_ADDRESS__ /* the bytes that say what of it may be read: 512 faults of 4,100 */
+    const uintptr_t shadow = (((uintptr_t)buffer >> 3) + 0x7fff8000u) & ~(uintptr_t)(PAGE - 1);
+    (void)madvise((void *)shadow, BUFFER / 8 + PAGE, MADV_HUGEPAGE);
+#endif
     return buffer;
 }
 

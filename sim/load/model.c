@@ -19,6 +19,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "assimp_library.h"
 #include "material.h"
 #include "memory_file.h"
 #include "model_shape.h"
@@ -214,6 +215,8 @@ static int import(struct load *l)
 {
     struct aiFileIO io = { stream_open, stream_close, (aiUserData)l };
     struct aiLogStream log = { hear, (char *)l };
+    if (sim_assimp_open(l->file) != SIM_OK)
+        return SIM_REFUSED;
     sim_progress("loading", 0, 1);
     if (l->family != FAMILY_OBJ) /* the scan has seen its indices */
         aiAttachLogStream(&log);

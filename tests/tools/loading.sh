@@ -9,7 +9,8 @@ set -- "$build/test/zsim" "$build/test/loading"
 . tests/tools/zsim.sh
 sanitized=$zsim plain=$build/zsim
 gcc -O1 -Wall -Wextra -Werror "$top/tests/tools/mutate.c" -o mutate || exit 1
-gcc -O1 -Wall -Wextra -Werror -shared -fPIC "$top/tests/tools/loader_fault.c" -o fault.so || exit 1
+gcc -O1 -Wall -Wextra -Werror -shared -fPIC "$top/tests/tools/loader_fault.c" -Wl,--no-as-needed -lassimp -ldl \
+    -o fault.so || exit 1
 
 # ---- Models: a triangle, 1 to 36 the bytes of its positions -------------------------------------
 one='\000\000\200\077' nul='\000\000\000\000'
@@ -192,6 +193,7 @@ fault() { # HOW WHAT-THE-LINE-HOLDS OPTION...
     grep -qF -- "$what" stderr || wrong "'$what' is not in: $(said)"
     untouched
 }
+fault missing 'install libassimp-dev'
 fault abort 'signal 6'
 fault segv 'signal 11'
 fault kill 'signal 9'
