@@ -5,7 +5,8 @@
 # What UBSan finds is an illegal instruction, which AddressSanitizer reports with its line (handle_sigill, tally.sh):
 # without UBSan's own texts objects are a quarter cheaper to compile, zsim is half as large and starts in two thirds of
 # the time. As no pie: of AddressSanitizer's tables of globals relocations are left otherwise to each start.
-SAN = -fsanitize=address,undefined -fsanitize-undefined-trap-on-error -fno-pie -no-pie \
+# leak_roots: tests/lib/leaks.c
+SAN = -fsanitize=address,undefined -fsanitize-undefined-trap-on-error -fno-pie -no-pie -Wl,-u,leak_roots \
       -Wno-unused-command-line-argument
 # make quick: optimised, with what costs next to nothing; where it fails is a signal
 SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero \
@@ -19,7 +20,7 @@ TEST_CC = $(CC) -std=gnu11 $(TEST_O) -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
 FRAME = $(addprefix sim/frame/,frame.c frame_ids.c frame_threads.c scene_share.c method_names.c) sim/cli/sim.c
-TEST_HELP = $(wildcard tests/lib/*.c) tests/lab/fuzz/world.c tests/lab/fuzz/effects.c
+TEST_HELP = $(wildcard tests/lib/*.c) sim/cli/kept.c tests/lab/fuzz/world.c tests/lab/fuzz/effects.c
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
 # Unit tests by name, and those that T= names

@@ -7,12 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "kept.h"
 #include "method_names.h"
 #include "sim.h"
 #include "strip_sum.h"
 #include "zs_fast.h"
-
-#define ARENA_ALIGN 32u
 
 int sim_frame_no_keys(const struct zs_config *config)
 {
@@ -95,16 +94,14 @@ void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height,
     config->fast = all;
 }
 
-void *sim_frame_arena(size_t bytes, void **block)
+void *sim_frame_arena(size_t bytes)
 {
-    const size_t room = (bytes / ARENA_ALIGN + 1) * ARENA_ALIGN;
-    *block = aligned_alloc(ARENA_ALIGN, room);
-    if (*block == NULL) {
+    void *const arena = sim_kept(bytes);
+    if (arena == NULL) {
         (void)sim_refuse(NULL, 0, "out of memory: an arena of %zu bytes was needed", bytes);
         exit(SIM_REFUSED);
     }
-    memset(*block, 0xa5, room);
-    return (char *)*block + (room - bytes) / 4 * 4;
+    return memset(arena, 0xa5, bytes);
 }
 
 int sim_frame_render(struct sim_frame *frame, const struct zs_scene *scene,
@@ -139,8 +136,7 @@ int sim_frame_render_by(struct sim_frame *frame, const struct sim_drawing *drawi
     memset(frame, 0, sizeof *frame);
     struct zs_renderer renderer;
     const uint32_t bytes = zs_arena_bytes(config);
-    void *block;
-    void *arena = sim_frame_arena(bytes, &block);
+    void *arena = sim_frame_arena(bytes);
     int err = zs_init(&renderer, config, arena, bytes);
     if (err == ZS_OK) {
         const size_t n = (size_t)drawing->width * drawing->height;
@@ -157,7 +153,7 @@ int sim_frame_render_by(struct sim_frame *frame, const struct sim_drawing *drawi
         if (err == ZS_OK && (receiver.pending || receiver.next_y != frame->height || receiver.ends != 1))
             err = SIM_FRAME_BROKEN;
     }
-    free(block);
+    sim_kept_end(arena);
     if (what != NULL)
         sim_progress_end();
     if (err != ZS_OK)

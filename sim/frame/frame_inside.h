@@ -7,8 +7,8 @@
 
 #include "frame.h"
 
-/* An arena of exactly the bytes that a configuration asks for, at the end of its block, so that AddressSanitizer sees a
- * step beyond it. *block: for free. Ends the program where there is no memory. */
-void *sim_frame_arena(size_t bytes, void **block);
+/* An arena of exactly the bytes that a configuration asks for, full of what is no zero; for sim_kept_end. Ends the
+ * program where there is no memory. */
+void *sim_frame_arena(size_t bytes);
 
 #endif

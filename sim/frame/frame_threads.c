@@ -18,6 +18,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "kept.h"
 #include "scene_share.h"
 #include "sim.h"
 #include "zs_method.h"
@@ -34,7 +35,7 @@ struct worker {
     const struct zs_scene *scene;
     const struct zs_camera *camera;
     pthread_t thread;
-    void *block; /* its arena's */
+    void *arena;
     uint32_t share, of; /* which of how many */
     enum way way;
     uint32_t n_parts;   /* of the triangles, of all threads */
@@ -256,7 +257,7 @@ static int worker_init(struct worker *w, const struct zs_config *config, struct 
 {
     const uint32_t bytes = zs_arena_bytes(config);
     const size_t n = (size_t)config->width * config->height;
-    void *arena = sim_frame_arena(bytes, &w->block);
+    w->arena = sim_frame_arena(bytes);
     w->frame = frame;
     if (w->way == BY_PARTS) {
         w->own.width = config->width;
@@ -265,14 +266,14 @@ static int worker_init(struct worker *w, const struct zs_config *config, struct 
         w->own.rgb565 = sim_alloc(n, sizeof *w->own.rgb565);
         w->part = sim_alloc(n, sizeof *w->part);
     }
-    return zs_init(&w->renderer, config, arena, bytes);
+    return zs_init(&w->renderer, config, w->arena, bytes);
 }
 
 static void worker_free(struct worker *w)
 {
     sim_frame_free(&w->own);
     free(w->part);
-    free(w->block);
+    sim_kept_end(w->arena);
 }
 
 /* Statistics of all, and the processor's time of the busiest. Return the first error. */

@@ -107,6 +107,18 @@ static void fill_with_noise(struct pm_model *m)
     }
 }
 
+static size_t ram_pixels(const struct pm_model *m)
+{
+    return (size_t)m->type->ram_w * m->type->ram_h;
+}
+
+/* The memory of the model that was freed last, for the next one like it: new pages take longer than most of what is
+ * done to a model. */
+static struct spare {
+    uint32_t *ram;
+    size_t n;
+} spare;
+
 struct pm_model *pm_new(const struct pm_glass *glass)
 {
     struct pm_model *m = fits(glass) ? calloc(1, sizeof *m) : NULL;
@@ -115,7 +127,9 @@ struct pm_model *pm_new(const struct pm_glass *glass)
     m->glass = *glass;
     m->type = types[glass->controller];
     m->state = calloc(1, m->type->state_bytes);
-    m->ram = calloc((size_t)m->type->ram_w * m->type->ram_h, sizeof *m->ram);
+    m->ram = spare.n == ram_pixels(m) ? spare.ram : calloc(ram_pixels(m), sizeof *m->ram);
+    if (m->ram == spare.ram)
+        spare = (struct spare){ NULL, 0 };
     if (m->state == NULL || m->ram == NULL) {
         pm_free(m);
         return NULL;
@@ -131,7 +145,10 @@ void pm_free(struct pm_model *model)
     if (model == NULL)
         return;
     free(model->state);
-    free(model->ram);
+    if (model->ram != NULL) {
+        free(spare.ram);
+        spare = (struct spare){ model->ram, ram_pixels(model) };
+    }
     free(model->problem);
     free(model);
 }

@@ -4,7 +4,7 @@
 # library
 
 WEB_SIM = $(wildcard $(patsubst %,sim/%/*.c,effect frame compare reference panel panel_model web)) \
-          $(addprefix sim/cli/,accelerator_names.c option_help.c option_table.c render.c render_options.c sim.c \
+          $(addprefix sim/cli/,accelerator_names.c kept.c option_help.c option_table.c render.c render_options.c sim.c \
               value.c) \
           $(addprefix sim/load/,losses.c mirrored.c model_shape.c picture.c) \
           $(addprefix sim/convert/,cluster.c convert_arrays.c convert_figures.c convert_options.c convert_text.c \

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "fast_lists.h"
+#include "kept.h"
 #include "oracle.h"
 #include "internals.h"
 
@@ -116,7 +117,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
         .depth = s->depth, .fast = fast_counting(s->fast)
     };
     const uint32_t bytes = zs_arena_bytes(&config);
-    void *arena = malloc(bytes);
+    void *arena = sim_kept(bytes);
     must(arena && zs_init(&r, &config, arena, bytes) == ZS_OK, "zs_init");
 
     static const zs_q1_15 normal[1][3] = { { 0, 0, 32767 } };
@@ -143,8 +144,8 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     fill_pools(&r, t, n, s->n_states, s->lit);
 
     const size_t n_px = (size_t)s->width * (size_t)s->height;
-    out->color = malloc(n_px * 2);
-    out->key = malloc(n_px * 2);
+    out->color = sim_kept(n_px * 2);
+    out->key = sim_kept(n_px * 2);
     must(out->color && out->key, "memory");
     struct zs_strip strip;
     size_t at = 0;
@@ -165,13 +166,13 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     out->shift = r.view.shift;
     out->key_far = (double)r.view.key_far / 65536.0;
     must(zs_frame_end(&r) == ZS_OK, "zs_frame_end");
-    free(arena);
+    sim_kept_end(arena);
 }
 
 void easel_free(struct easel_frame *f)
 {
-    free(f->color);
-    free(f->key);
+    sim_kept_end(f->color);
+    sim_kept_end(f->key);
     f->color = f->key = NULL;
 }
 

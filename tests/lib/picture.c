@@ -9,22 +9,9 @@
 #include <string.h>
 
 #include "fast_lists.h"
+#include "kept.h"
 #include "strip_sum.h"
 #include "wrong.h"
-
-#if defined __has_feature /* clang's */
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/asan_interface.h>
-#define poison(at, bytes) __asan_poison_memory_region(at, bytes)
-#define unpoison(at, bytes) __asan_unpoison_memory_region(at, bytes)
-#else
-#define poison(at, bytes) (void)(bytes)
-#define unpoison(at, bytes) (void)(bytes)
-#endif
 
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth)
 {
@@ -97,27 +84,28 @@ static int copy_end(void *ctx)
     return c->busy ? -1003 : 0;
 }
 
-/* An arena of exactly that many bytes of junk at the end of a block that is kept, because new pages for each frame take
- * longer than the frame. What lies before it is poisoned, as it is after a malloc. */
+/* An arena of exactly that many bytes of junk. */
 static uint8_t *junk(uint32_t bytes)
 {
-    static uint8_t *block;
-    static uint32_t room;
-    const uint32_t want = (bytes ? bytes + 7u : 8u) & ~7u, period = 4099;
-    if (want > room) {
-        free(block);
-        block = malloc(room = want);
-        if (!block)
-            abort();
-    }
-    uint8_t *arena = block + room - (bytes ? bytes : 4);
-    unpoison(block, room);
+    const uint32_t period = 4099;
+    uint8_t *arena = sim_kept(bytes ? bytes : 4);
+    if (!arena)
+        abort();
     for (uint32_t i = 0; i < bytes && i < period; i++)
         arena[i] = (uint8_t)(i * 2654435761u >> 13);
     for (uint32_t done = period; done < bytes; done *= 2)
         memcpy(arena + done, arena, done < bytes - done ? done : bytes - done);
-    poison(block, (size_t)(arena - block));
     return arena;
+}
+
+/* px zeros; of many, those that are not looked at take no page */
+static uint16_t *blank(size_t px)
+{
+    const size_t bytes = 2 * (px ? px : 1);
+    uint16_t *to = bytes > (1u << 20) ? calloc(bytes, 1) : sim_kept(bytes);
+    if (!to)
+        abort();
+    return bytes > (1u << 20) ? to : memset(to, 0, bytes);
 }
 
 static struct picture drawn(const struct zs_config *config, const struct zs_pass *pass, uint32_t n)
@@ -127,9 +115,9 @@ static struct picture drawn(const struct zs_config *config, const struct zs_pass
     uint8_t *arena = junk(bytes);
     struct zs_renderer *r = malloc(sizeof *r);
     const size_t px = (size_t)p.w * (size_t)p.h;
-    p.color = calloc(px ? px : 1, 2);
-    p.key = calloc(px ? px : 1, 2);
-    if (!r || !p.color || !p.key)
+    p.color = blank(px);
+    p.key = blank(px);
+    if (!r)
         abort();
     memset(r, 0xa5, sizeof *r);
     p.err = zs_init(r, config, arena, bytes);
@@ -147,6 +135,7 @@ static struct picture drawn(const struct zs_config *config, const struct zs_pass
         free(memory);
     }
     free(r);
+    sim_kept_end(arena);
     return p;
 }
 
@@ -164,8 +153,8 @@ struct picture picture_passes(const struct zs_config *config, const struct zs_pa
 
 void picture_free(struct picture *p)
 {
-    free(p->color);
-    free(p->key);
+    sim_kept_end(p->color);
+    sim_kept_end(p->key);
     p->color = p->key = NULL;
 }
 

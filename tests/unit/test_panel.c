@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "kept.h"
 #include "panel.h"
 
 #define SIDE 320 /* px, the longest of a picture */
@@ -40,8 +41,12 @@ static void put(struct wire *w, enum kind kind, uint8_t byte)
 {
     if (w->n == w->room) {
         w->room = w->room ? 2 * w->room : 4096;
-        w->log = realloc(w->log, w->room * sizeof *w->log);
-        assert_non_null(w->log);
+        uint16_t *log = sim_kept(w->room * sizeof *log);
+        assert_non_null(log);
+        if (w->n)
+            memcpy(log, w->log, w->n * sizeof *log);
+        sim_kept_end(w->log);
+        w->log = log;
     }
     w->log[w->n++] = (uint16_t)(kind << 8 | byte);
 }
@@ -311,7 +316,7 @@ static int window_case(uint64_t seed)
             return case_wrong("%s %ux%u at rotation %d: window of %u %u %u %u", panel_name(s->type), s->width,
                               s->height, rotate, r.x, r.y, r.w, r.h);
     }
-    free(w.log);
+    sim_kept_end(w.log);
     return 1;
 }
 
@@ -331,7 +336,7 @@ static void glass_of_ones_own(void **state)
         assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
         assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
         assert_true(sent(&w, from, &s, rotate, &r));
-        free(w.log);
+        sim_kept_end(w.log);
     }
 }
 
@@ -359,7 +364,7 @@ static void colour_is_not_copied(void **state)
     assert_true(first);
     for (uint32_t i = 0; i < 13 * 2 * 5; i++)
         assert_int_equal(w.log[first + i] & 255, px[i / 26 * 34 + i % 26]);
-    free(w.log);
+    sim_kept_end(w.log);
 }
 
 /* ---- Conversion ---------------------------------------------------------------------------------------- */
@@ -438,7 +443,7 @@ static int convert_case(uint64_t seed)
         for (uint32_t i = n; i < sizeof scratch; i++)
             CASE_CHECK(scratch[i] == 0xa5);
     }
-    free(w.log);
+    sim_kept_end(w.log);
     return 1;
 }
 
@@ -508,7 +513,7 @@ static void dark_until_black(void **state)
         assert_false(w.held);
         assert_int_equal(panel_width(&panel), all.w);
         assert_int_equal(panel_height(&panel), all.h);
-        free(w.log);
+        sim_kept_end(w.log);
     }
 }
 
@@ -546,7 +551,7 @@ static void settings_are_sent(void **state)
         assert_true(COUNT(&w, CODED(set ? want[i].inverted : want[i].straight)) >= 1);
         assert_int_equal(COUNT(&w, CODED(set ? want[i].straight : want[i].inverted)), 0);
         assert_int_equal(COUNT(&w, CODED(want[i].light), (uint16_t)(arg | level)), 1);
-        free(w.log);
+        sim_kept_end(w.log);
     }
 }
 
@@ -565,7 +570,7 @@ static void bytes_of_the_other_order(void **state)
     assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
     assert_ptr_equal(w.out, px);
     assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
-    free(w.log);
+    sim_kept_end(w.log);
 }
 
 /* TEON only where it was asked for, and only where there is a pin for it. */
@@ -581,7 +586,7 @@ static void tearing_effect(void **state)
             if (!sheets[i].args_low)
                 assert_int_equal(COUNT(&w, CODED(0x35), ARGUED(0x00)), te && bits_a_pixel(&sheets[i]) == 16 &&
                                                                        sheets[i].type != &panel_ssd1351);
-            free(w.log);
+            sim_kept_end(w.log);
         }
 }
 
@@ -609,7 +614,7 @@ static void tables(void **state)
         assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
         assert_int_equal(COUNT(&w, CODED(0xa8), CODED(mono[i].lines)), 1);
         assert_int_equal(COUNT(&w, CODED(0xda), CODED(mono[i].pins)), 1);
-        free(w.log);
+        sim_kept_end(w.log);
     }
     for (uint32_t i = 5; i < 7; i++) { /* SSD1351: lines */
         const struct panel_config c = config_of(&sheets[i], 0);
@@ -617,7 +622,7 @@ static void tables(void **state)
         struct panel panel;
         assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
         assert_int_equal(COUNT(&w, CODED(0xca), ARGUED(sheets[i].height - 1)), 1);
-        free(w.log);
+        sim_kept_end(w.log);
     }
     for (int err = -130; err <= 0; err++)
         assert_non_null(panel_strerror(err));
@@ -673,7 +678,7 @@ static void bad_configurations(void **state)
     assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     assert_int_equal(w.verbs, 0);
     assert_int_equal(w.locks, 0);
-    free(w.log);
+    sim_kept_end(w.log);
 }
 
 static void bad_rectangles(void **state)
@@ -724,7 +729,7 @@ static void bad_rectangles(void **state)
     const struct panel_rect bottom = { 0, 40, 40, 32 };
     assert_int_equal(panel_send(&panel, &bottom, px, 0), HAL_ERR_NONE);
     assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
-    free(w.log);
+    sim_kept_end(w.log);
 }
 
 static void one_thing_at_a_time(void **state)
@@ -754,7 +759,7 @@ static void one_thing_at_a_time(void **state)
     assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
     assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
     assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
-    free(w.log);
+    sim_kept_end(w.log);
 }
 
 /* Sleep and wake as the datasheets want them, with what they want between. */
@@ -777,7 +782,7 @@ static void sleeping(void **state)
         assert_int_equal(COUNT(&w, CODED(0x11)), s->wide);
         assert_int_equal(w.pause_us, s->wide ? 120000 : 0);
         assert_false(w.held);
-        free(w.log);
+        sim_kept_end(w.log);
     }
 }
 
@@ -835,7 +840,7 @@ static int fails_at(const struct sheet *s, const struct panel_config *c, uint32_
     const uint32_t at = w.n;
     CASE_CHECK(panel_send(&panel, &thirds[1], px, 0) == HAL_ERR_NONE && panel_wait(&panel) == HAL_ERR_NONE);
     CASE_CHECK(sent(&w, at, s, c->rotate, &thirds[1])); /* no set-up any more */
-    free(w.log);
+    sim_kept_end(w.log);
     return 1;
 }
 
@@ -852,7 +857,7 @@ static int failure_case(uint64_t seed)
         if (!fails_at(s, &c, k, &whole))
             return case_wrong("%s %ux%u, verb %u of %u", panel_name(s->type), s->width, s->height, k, whole.verbs);
     }
-    free(whole.log);
+    sim_kept_end(whole.log);
     return 1;
 }
 
@@ -874,7 +879,7 @@ static void set_up_follows_each_kind_of_failure(void **state)
             int err = panel_send(&panel, &r, px, 40);
             err = err ? err : panel_wait(&panel);
             if (w.verbs < w.fail_at) { /* there were fewer verbs */
-                free(w.log);
+                sim_kept_end(w.log);
                 break;
             }
             assert_int_equal(err, HAL_ERR_BUS);
@@ -888,7 +893,7 @@ static void set_up_follows_each_kind_of_failure(void **state)
             assert_int_equal(panel_send(&panel, &r, px, 40), HAL_ERR_NONE);
             assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
             assert_int_equal(w.n - at, usual);
-            free(w.log);
+            sim_kept_end(w.log);
         }
     }
 }
@@ -936,7 +941,7 @@ static void settings_outlive_failures(void **state)
         assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
         assert_false(w.held);
     }
-    free(w.log);
+    sim_kept_end(w.log);
 }
 
 static const struct CMUnitTest tests[] = {

@@ -7,6 +7,8 @@
 
 typedef int pthread_t;
 typedef int pthread_attr_t;
+typedef int pthread_mutex_t;
+#define PTHREAD_MUTEX_INITIALIZER 0
 
 static inline int pthread_create(pthread_t *thread, const pthread_attr_t *how, void *(*run)(void *), void *with)
 {
@@ -22,6 +24,18 @@ static inline int pthread_join(pthread_t thread, void **result)
     (void)thread;
     (void)result;
     return 1;
+}
+
+static inline int pthread_mutex_lock(pthread_mutex_t *mutex)
+{
+    (void)mutex;
+    return 0;
+}
+
+static inline int pthread_mutex_unlock(pthread_mutex_t *mutex)
+{
+    (void)mutex;
+    return 0;
 }
 
 #endif

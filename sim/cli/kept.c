@@ -1,0 +1,87 @@
+/* Large blocks that are used again: see kept.h.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "kept.h"
+#include <pthread.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#if defined __has_feature /* clang's */
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/asan_interface.h>
+#define poison(at, bytes) __asan_poison_memory_region(at, bytes)
+#define unpoison(at, bytes) __asan_unpoison_memory_region(at, bytes)
+#else
+#define poison(at, bytes) (void)(bytes)
+#define unpoison(at, bytes) (void)(bytes)
+#endif
+
+#define KEPT 16                 /* blocks; who has more at a time takes new memory each time */
+#define LEAST ((size_t)1 << 16) /* bytes */
+#define ALIGN 64
+
+static struct kept {
+    char *memory; /* NULL: none yet */
+    size_t room;
+    void *lent; /* what is in use of it; NULL: it is free */
+} kept[KEPT];
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+
+/* The smallest free one that is large enough, or else one that may be made anew; NULL: all are in use. */
+static struct kept *fitting(size_t room)
+{
+    struct kept *best = NULL, *other = NULL;
+    for (struct kept *k = kept; k < kept + KEPT; k++) {
+        if (k->lent != NULL)
+            continue;
+        if (k->room >= room && (best == NULL || k->room < best->room))
+            best = k;
+        if (other == NULL || k->room < other->room)
+            other = k;
+    }
+    return best != NULL ? best : other;
+}
+
+void *sim_kept(size_t bytes)
+{
+    size_t room = LEAST; /* doubled, so that blocks of other sizes fit into it */
+    void *block = NULL;
+    while (room <= bytes)
+        room *= 2;
+    (void)pthread_mutex_lock(&lock);
+    struct kept *const k = fitting(room);
+    if (k != NULL && k->room < room) {
+        free(k->memory);
+        k->memory = aligned_alloc(ALIGN, room);
+        k->room = k->memory != NULL ? room : 0;
+    }
+    if (k != NULL && k->memory != NULL) {
+        unpoison(k->memory, k->room);
+        block = k->lent = k->memory + (k->room - bytes) / 4 * 4;
+        poison(k->memory, (size_t)((char *)block - k->memory));
+    }
+    (void)pthread_mutex_unlock(&lock);
+    return k != NULL ? block : malloc(bytes + 1);
+}
+
+void sim_kept_end(void *block)
+{
+    struct kept *of = NULL;
+    if (block == NULL)
+        return;
+    (void)pthread_mutex_lock(&lock);
+    for (struct kept *k = kept; k < kept + KEPT; k++)
+        of = k->lent == block ? k : of;
+    if (of != NULL) {
+        poison(of->memory, of->room);
+        of->lent = NULL;
+    }
+    (void)pthread_mutex_unlock(&lock);
+    if (of == NULL)
+        free(block);
+}
