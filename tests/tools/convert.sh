@@ -7,7 +7,7 @@
 # `ok NAME` or `FAILED NAME: reason` a test; models and programs stay in BUILD/test/convert.
 set -u
 build=$(cd "$1" && pwd) || exit 1
-SAN='-fsanitize=address,undefined -fsanitize-undefined-trap-on-error -fno-pie -no-pie' # as tests.mk
+SAN='-fsanitize=address,undefined -fsanitize-undefined-trap-on-error -fno-pie -no-pie -Wl,-u,leak_roots' # as tests.mk
 set -- "$build/test/zsim" "$build/test/convert"
 . tests/tools/zsim.sh
 . "$top/tests/lib/positional.sh"

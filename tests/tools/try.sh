@@ -3,7 +3,8 @@
 # those that zsim render draws, models are whole in all of them, and figures are those of zsim budget and zsim convert.
 # Usage: tests/tools/try.sh ZSIM WORKDIR     as tests/tools/cli.sh
 . tests/tools/zsim.sh
-gcc -O1 -Wall -Wextra -Werror -fsanitize=address,undefined "$top/tests/tools/moving.c" -lz -o moving || exit 1
+gcc -O1 -Wall -Wextra -Werror -fsanitize=address,undefined -fsanitize-undefined-trap-on-error \
+    "$top/tests/tools/moving.c" "$top/tests/lib/leaks.c" -lz -o moving || exit 1
 
 # A ball of 16 x 8 quads and triangles, radius 1; $1: 1 inside out, 2 half of it, open at the top, 3 upright along z
 ball() {
