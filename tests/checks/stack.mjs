@@ -1,15 +1,17 @@
-// The worst case of the stack of a folder's functions: no recursion, fixed frames, and where calls through pointers may
+// The worst case of the stack of folders' functions: no recursion, fixed frames, and where calls through pointers may
 // go.
-// Usage: node tests/checks/stack.mjs NAME DIR LIMIT PREFIX OUTSIDE EMPTY [FUNCTION...]
-//   DIR       objects of -g -ffunction-sections -fdata-sections -fstack-usage -fcallgraph-info=su, each with its .ci,
-//             and all.elf, a program that has all of them
+// Usage: node tests/checks/stack.mjs <LIST
+// LIST has a line for each folder, words separated by blanks: NAME DIR LIMIT PREFIX OUTSIDE EMPTY [FUNCTION...]
+//   NAME      what it is called in verdicts, _ in place of blanks
+//   DIR       objects as tests/lib/cortexm.sh measures them, each with its .su, in which the compiler's call graph is
+//             too, and all.elf, a program that has all of them. What is found goes to bound.txt there.
 //   PREFIX    of the names of public functions
 //   OUTSIDE   structs, or STRUCT.FIELDs, whose functions are the caller's, a,b,c: what they take comes on top
 //   EMPTY     fields that nothing may stand in, as of this build they are never called: STRUCT.FIELD or how it begins,
 //             a,b,c
 //   FUNCTION  public functions whose bound is printed; the first one's deepest path too
 //
-// Frames are those of -fcallgraph-info=su. Calls are the compiler's call graph and, so that calls which it adds later
+// Frames are those of the compiler's call graph. Calls are its edges and, so that calls which it adds later
 // (division, counting zeros, block moves) are in too, the relocations of each function's section. Helpers of libgcc and
 // newlib, and frames of what is one piece of assembler, are measured on the program: every push and subtraction from sp
 // in them, summed, and the deepest callee.
@@ -27,24 +29,9 @@ import { createHash } from 'node:crypto';
 import * as fs from 'node:fs';
 import * as path from 'node:path';
 
-const [NAME, DIR, LIMIT, PREFIX, OUTSIDE_LIST, EMPTY, ...SHOWN] = process.argv.slice(2);
-const OUTSIDE = new Set(OUTSIDE_LIST.split(','));
 const ARM = process.env.ARM || 'arm-none-eabi-';
 const run = (tool, ...args) => execFileSync(ARM + tool, args, { encoding: 'latin1', maxBuffer: 1 << 28,
     stdio: ['ignore', 'pipe', 'ignore'] }).split('\n');
-// The lines of what a tool says of an object that match. They are kept beside DIR by the object's bytes: programs that
-// differ in a few objects share the others.
-const KEPT = path.join(DIR, '..', 'stack-kept');
-fs.mkdirSync(KEPT, { recursive: true });
-function lines_of(object, wanted, tool, option) {
-    const kept = path.join(KEPT, `${createHash('sha1').update(fs.readFileSync(object)).digest('hex')}.${tool}`);
-    if (!fs.existsSync(kept)) {
-        const lines = run(tool, option, object).filter((line) => wanted.test(line));
-        fs.writeFileSync(`${kept}.${process.pid}`, lines.join('\n'), 'latin1');
-        fs.renameSync(`${kept}.${process.pid}`, kept); // whole, whoever else writes it
-    }
-    return fs.readFileSync(kept, 'latin1').split('\n');
-}
 
 // Calls that are refused before a frame is drawn, so that a shader made of another one is never in itself:
 // zs_layered_set takes no layer and no shader with a span of its own, zs_filtered_set neither those nor a filtered one
@@ -63,11 +50,6 @@ const REFUSED = new Map([
     ['effect_filtered:check', ['effect_filtered:check']]
 ]);
 
-let failed = false;
-const fail = (what, why) => {
-    console.log(`FAILED ${NAME} ${what}: ${why}`);
-    failed = true;
-};
 const add = (map, key, value) => {
     if (!map.has(key))
         map.set(key, new Set());
@@ -77,10 +59,10 @@ const add = (map, key, value) => {
 // ---- Debug information --------------------------------------------------------------------------
 
 // Entries by their offset: tag, attributes by name, entries in them.
-function debug_entries(object) {
+function debug_entries(lines) {
     const at = new Map(), open = [];
     let entry;
-    for (const line of lines_of(object, /DW_TAG_|DW_AT_/, 'readelf', '--debug-dump=info')) {
+    for (const line of lines) {
         let m = /^ <(\d+)><([0-9a-f]+)>: Abbrev Number: \d+ \(DW_TAG_(\w+)\)/.exec(line);
         if (m) {
             const depth = Number(m[1]);
@@ -98,9 +80,10 @@ function debug_entries(object) {
     return at;
 }
 
-function read_unit(object) {
-    const unit = { object, name: path.basename(object, '.o'), at: debug_entries(object),
-        variables: new Map(), functions: new Map() };
+// OBJECT, and what readelf and objdump say of it
+function read_unit(object, debug, relocations) {
+    const unit = { object, name: path.basename(object, '.o'), at: debug_entries(debug), relocations,
+        variables: new Map(), functions: new Map(), local_functions: new Set(), global_functions: new Set() };
     // The type itself, without typedef and const
     unit.bare = (offset) => {
         let type = unit.at.get(offset);
@@ -126,7 +109,45 @@ function read_unit(object) {
             unit.functions.set(name, entry);
     }
     unit.file = [...unit.at.values()].find((e) => e.tag === 'compile_unit').name;
+    unit.graph = fs.readFileSync(object.replace(/\.o$/, '.su'), 'latin1').split('\n');
     return unit;
+}
+// What a tool says of each of these objects, lines by object; NEW finds the object in the line that begins it.
+function said_of(objects, new_object, tool, ...options) {
+    const lines = new Map();
+    let now;
+    for (const line of run(tool, ...options, ...objects)) {
+        const object = objects.length > 1 ? new_object.exec(line)?.[1] : objects[0];
+        if (object && !lines.has(object))
+            lines.set(object, now = []);
+        now?.push(line);
+    }
+    return lines;
+}
+// The units of a folder. Folders that differ in a few objects share the others: one is read once, by its bytes. And
+// tools are asked of all new objects at once: to begin takes them longer than an object.
+const known = new Map();
+function units_of(dir) {
+    const keys = [], fresh = new Map();
+    for (const f of fs.readdirSync(dir).filter((one) => one.endsWith('.o'))) {
+        const object = path.join(dir, f), su = object.replace(/\.o$/, '.su');
+        keys.push(f + createHash('sha1').update(fs.readFileSync(object)).update(fs.readFileSync(su)).digest('hex'));
+        if (!known.has(keys.at(-1)))
+            fresh.set(object, keys.at(-1));
+    }
+    if (fresh.size) {
+        const objects = [...fresh.keys()];
+        const debug = said_of(objects, /^File: (.*)$/, 'readelf', '--debug-dump=info');
+        const relocations = said_of(objects, /^(.*): +file format /, 'objdump', '-r');
+        for (const [object, key] of fresh)
+            known.set(key, read_unit(object, debug.get(object), relocations.get(object)));
+        for (const line of run('nm', '-A', ...objects)) {
+            const m = /^(.*?):[0-9a-f]* *([tTwW]) ([^$.]\S*)$/.exec(line);
+            if (m)
+                known.get(fresh.get(m[1]))[m[2] === 't' ? 'local_functions' : 'global_functions'].add(m[3]);
+        }
+    }
+    return keys.map((key) => known.get(key));
 }
 
 // Fields and variables that hold functions and that an expression like a->b.c may mean: their keys. [] where none does.
@@ -151,83 +172,6 @@ function keys_of(unit, chain) {
     return now.filter(({ type, key }) => key && unit.is_code(type)).map(({ key, struct }) => ({ key, struct }));
 }
 
-// ---- Facts --------------------------------------------------------------------------------------
-
-const units = fs.readdirSync(DIR).filter((f) => f.endsWith('.o')).map((f) => read_unit(path.join(DIR, f)));
-const frame = new Map(); // FUNCTION -> bytes; static ones are UNIT:NAME, as two units may have one of a name
-const calls = new Map(); // FUNCTION -> those that it calls
-const pointers = [];     // { from, unit, file, line, column }
-const holds = new Map(); // KEY -> functions, and @KEY for what is copied to it
-const taken = new Map(); // function whose address code takes -> a function that does
-const of_tables = [];    // { unit, table, offset, target }
-
-const global_functions = new Set();
-const of_object = new Map(units.map((unit) => [unit.object, unit.local_functions = new Set()]));
-for (const line of run('nm', '-A', ...of_object.keys())) { // all at once: nm takes long to begin
-    const m = /^(.*?):[0-9a-f]* *([tTwW]) ([^$.]\S*)$/.exec(line);
-    if (m)
-        (m[2] === 't' ? of_object.get(m[1]) : global_functions).add(m[3]);
-}
-for (const unit of units) {
-    unit.function = (name) => // by its name in the object; undefined: it is none of ours
-        unit.local_functions.has(name) ? `${unit.name}:${name}` : global_functions.has(name) ? name : undefined;
-}
-
-for (const unit of units) {
-    const title = (s) => (s.includes(':') ? `${unit.name}:${s.slice(s.lastIndexOf(':') + 1)}` : s);
-    for (const line of fs.readFileSync(unit.object.replace(/\.o$/, '.ci'), 'latin1').split('\n')) {
-        let m = /^node: \{ title: "([^"]*)".*?(\d+) bytes \(([a-z,]*)\)/.exec(line);
-        if (m) {
-            frame.set(title(m[1]), Number(m[2]));
-            if (m[3] !== 'static')
-                fail('fixed frames', `${m[1]} ${m[3]}`);
-        }
-        m = /^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"(?: label: "(.*):(\d+):(\d+)")?/.exec(line);
-        if (m && m[2] === '__indirect_call')
-            pointers.push({ from: title(m[1]), unit, file: m[3], line: Number(m[4]), column: Number(m[5]) });
-        else if (m)
-            add(calls, title(m[1]), title(m[2]));
-    }
-    let section = '';
-    for (const line of lines_of(unit.object, /./, 'objdump', '-r')) {
-        section = /^RELOCATION RECORDS FOR \[(.*)\]/.exec(line)?.[1] ?? section;
-        const m = /^([0-9a-f]+) (R_ARM_\w+) +([^.\s][^\s+]*)/.exec(line);
-        const from = /^\.text\.(?:unlikely\.|hot\.)?(.*)$/.exec(section)?.[1];
-        const table = /^\.(?:rodata|data|data\.rel\.ro|data\.rel\.ro\.local)\.(.*)$/.exec(section)?.[1];
-        const target = m && unit.function(m[3]);
-        if (m && from && /^R_ARM_THM_(CALL|JUMP)/.test(m[2]))
-            add(calls, unit.function(from), target ?? m[3]);
-        else if (target && from)
-            taken.set(target, from);
-        else if (target && table)
-            of_tables.push({ unit, table, offset: parseInt(m[1], 16), target });
-    }
-}
-
-// What stands at an offset of a table: its key, or undefined.
-function field_at(unit, type, offset) {
-    const of = unit.bare(type);
-    if (of?.tag === 'array_type') {
-        const element = unit.bare(of.type);
-        return field_at(unit, of.type, offset % Number(element.byte_size ?? 4));
-    }
-    if (of?.tag !== 'structure_type')
-        return undefined;
-    const m = unit.members(of).filter((one) => one.offset <= offset).at(-1);
-    if (m && m.offset === offset && unit.is_code(m.type))
-        return `${of.name}.${m.name}`;
-    return m && field_at(unit, m.type, offset - m.offset);
-}
-for (const { unit, table, offset, target } of of_tables) {
-    const types = unit.variables.get(table.replace(/\.\d+$/, '')) ?? [];
-    const found = [...types].map((type) => field_at(unit, type, offset)).filter(Boolean);
-    if (!found.length)
-        fail('tables', `${unit.name}: no field of ${table} at ${offset} that could hold ${target}`);
-    found.forEach((key) => add(holds, key, target));
-}
-
-// ---- What the source assigns --------------------------------------------------------------------
-
 const sources = new Map(); // FILE -> its text without comments and directives, places unchanged
 function source(file) {
     if (!sources.has(file))
@@ -235,202 +179,293 @@ function source(file) {
             .replace(/\/\*[\s\S]*?\*\/|\/\/[^\n]*/g, (c) => c.replace(/[^\n]/g, ' ')));
     return sources.get(file);
 }
-// What an expression may give: functions that it names, what it reads, what functions return that it calls.
-function values(unit, text, to) {
-    for (const m of text.matchAll(new RegExp(`(${CHAIN})\\s*(\\(?)`, 'g'))) {
-        const fn = unit.function(m[1]);
-        if (m[2] && unit.is_code(unit.functions.get(m[1])?.type))
-            add(holds, to, `@return of ${unit.name}:${m[1]}`);
-        else if (!m[2] && fn)
-            add(holds, to, fn);
-        else if (!m[2])
-            keys_of(unit, m[1]).forEach(({ key }) => add(holds, to, `@${key}`));
-    }
-}
-// Arguments of each call of a function in a text
-function* arguments_of(name, text) {
-    for (const m of text.matchAll(new RegExp(`\\b${name}\\s*\\(`, 'g'))) {
-        const given = [''];
-        for (let at = m.index + m[0].length, depth = 1; at < text.length; at++) {
-            depth += '([{'.includes(text[at]) ? 1 : ')]}'.includes(text[at]) ? -1 : 0;
-            if (!depth)
-                break;
-            if (text[at] === ',' && depth === 1)
-                given.push('');
-            else
-                given[given.length - 1] += text[at];
-        }
-        yield given;
-    }
-}
-for (const unit of units) {
-    const own = fs.readFileSync(unit.object.replace(/\.o$/, '.d'), 'utf8').split(/[\s\\]+/).slice(1)
-        .filter((f) => f && !f.startsWith('/') && fs.existsSync(f));
-    for (const file of own) {
-        const text = source(file);
-        for (const m of text.matchAll(new RegExp(`(?<![\\w>.])(${CHAIN})\\s*=(?!=)([^;]*);`, 'g')))
-            keys_of(unit, m[1]).forEach(({ key }) => values(unit, m[2], key));
-        // its declaration
-        for (const m of text.matchAll(/\(\s*\*\s*(?:const\s+)?(\w+)\s*\)\s*\([^()]*\)\s*=(?!=)([^;]*);/g))
-            keys_of(unit, m[1]).forEach(({ key }) => values(unit, m[2], key));
-    }
-    for (const [name, entry] of unit.functions) {
-        const parameters = entry.inside.filter((p) => p.tag === 'formal_parameter');
-        parameters.forEach((parameter, n) => {
-            if (unit.is_code(parameter.type) && parameter.name)
-                for (const file of own)
-                    for (const given of arguments_of(name, source(file)))
-                        values(unit, given[n] ?? '', `${unit.name}:${parameter.name}`);
-        });
-    }
-    const lines = source(unit.file).split('\n');
-    for (const [name, entry] of unit.functions)
-        if (unit.is_code(entry.type) && Number(entry.decl_file) === 1) {
-            const from = Number(entry.decl_line), end = lines.findIndex((l, n) => n >= from && l.startsWith('}'));
-            for (const m of lines.slice(from, end).join('\n').matchAll(/\breturn\b([^;]*);/g))
-                values(unit, m[1], `return of ${unit.name}:${name}`);
-        }
-}
-
-// Functions that a key may hold, and the keys that it has them from.
-function functions_in(key, seen) {
-    if (seen.has(key))
-        return [];
-    seen.add(key);
-    return [...(holds.get(key) ?? [])].flatMap((one) => (one[0] === '@' ? functions_in(one.slice(1), seen) : [one]));
-}
-const sinks = new Set();
-let never = 0;
-for (const { from, unit, file, line, column } of pointers) {
-    const here = `${file}:${line}:${column}`;
-    const text = source(file).split('\n')[line - 1];
-    const called = (part) => [...part.matchAll(new RegExp(`(?<![\\w>.])(${CHAIN})(?=\\s*\\()`, 'g'))]
-        .flatMap((m) => keys_of(unit, m[1]));
-    const first = text.slice(column - 1).match(new RegExp(`^${CHAIN}(?=\\s*\\()`))?.[0];
-    let keys = first ? keys_of(unit, first) : [];
-    if (!keys.length)
-        keys = called(text); // anything in this line
-    if (!keys.length)
-        fail('pointer calls', `${here}: what is called in "${text.trim()}"?`);
-    const outside = ({ key, struct }) => OUTSIDE.has(struct) || OUTSIDE.has(key);
-    if (keys.some(outside))
-        sinks.add(from);
-    for (const { key } of keys.filter((one) => !outside(one))) {
-        const seen = new Set();
-        const to = functions_in(key, seen);
-        if (!to.length && ![...seen].some((one) => EMPTY.split(',').some((field) => one.startsWith(field))))
-            fail('pointer calls', `${here}: nothing fills ${key}`);
-        never += !to.length;
-        to.filter((fn) => !REFUSED.get(from)?.includes(fn)).forEach((fn) => add(calls, from, fn));
-    }
-}
-const held = new Set([...holds.values()].flatMap((set) => [...set]));
-for (const [fn, by] of taken)
-    if (!held.has(fn))
-        fail('pointer calls', `${by} takes the address of ${fn}, which no field or variable is known to hold`);
-
-// ---- Libraries ------------------------------------------------------------------------------------
-
-// FUNCTION -> bytes, of what a program has beside ours
-function measure_helpers(elf) {
-    const names = new Map(), own = new Map(), callees = new Map(), address = new Map(), deepest = new Map();
-    for (const line of run('nm', elf)) {
-        const m = /^(\S+) [tTwW] (\S+)$/.exec(line); // __aeabi_idiv and __divsi3 are one place
-        if (m)
-            add(names, m[1], m[2]);
-    }
-    let f = '';
-    for (const line of run('objdump', '-d', '--no-show-raw-insn', elf)) {
-        let m = /^([0-9a-f]+) <(.*)>:$/.exec(line);
-        if (m) {
-            f = m[2];
-            address.set(f, m[1]);
-            own.set(f, 0);
-            continue;
-        }
-        const take = (bytes) => own.set(f, own.get(f) + bytes);
-        if (/^ +[0-9a-f]+:\s+(push|stm(db|fd)\S*\s+sp!)/.test(line)) {
-            for (const one of /\{(.*)\}/.exec(line)[1].split(',')) {
-                const [, a, b] = /r(\d+)-r(\d+)/.exec(one) ?? [];
-                take(a ? 4 * (b - a + 1) : 4);
-            }
-        } else if ((m = /^ +[0-9a-f]+:\s+sub\S*\s+sp,.*#(\d+)/.exec(line)) || (m = /\[sp, #-(\d+)\]!/.exec(line)))
-            take(Number(m[1]));
-        else if ((m = /^ +[0-9a-f]+:\s+b\S*\s.*<([^>+]+)>/.exec(line)) && m[1] !== f)
-            add(callees, f, m[1]);
-    }
-    // What is one piece of assembler has no frame in the compiler's eyes
-    for (const [fn, bytes] of frame)
-        if (!bytes)
-            frame.set(fn, own.get(fn.slice(fn.indexOf(':') + 1)) ?? 0);
-    const deep = (fn, level) => {
-        if (level > 20)
-            return 100000;
-        if (!deepest.has(fn))
-            deepest.set(fn, (own.get(fn) ?? 0) +
-                Math.max(0, ...[...(callees.get(fn) ?? [])].map((c) => deep(c, level + 1))));
-        return deepest.get(fn);
+// Whether anything is wrong with a folder. Arguments are a line's of LIST; say takes a line of what is found.
+function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
+    const OUTSIDE = new Set(outside_list.split(','));
+    let failed = false;
+    const fail = (what, why) => {
+        say(`FAILED ${NAME} ${what}: ${why}`);
+        failed = true;
     };
-    const out = new Map();
-    for (const [fn, place] of address)
-        if (!frame.has(fn))
-            for (const alias of names.get(place) ?? [fn])
-                out.set(alias, deep(fn, 0));
-    return out;
-}
-const helper = measure_helpers(path.join(DIR, 'all.elf'));
 
-// ---- The bound ------------------------------------------------------------------------------------
+    // ---- Facts --------------------------------------------------------------------------------------
 
-const bounds = new Map(), next_of = new Map(), open = [];
-function bound(fn) {
-    if (bounds.has(fn))
-        return bounds.get(fn);
-    if (open.includes(fn)) {
-        fail('no recursion', [...open.slice(open.indexOf(fn)), fn].join(' -> '));
-        return 0;
+    const units = units_of(DIR);
+    const frame = new Map(); // FUNCTION -> bytes; static ones are UNIT:NAME, as two units may have one of a name
+    const calls = new Map(); // FUNCTION -> those that it calls
+    const pointers = [];     // { from, unit, file, line, column }
+    const holds = new Map(); // KEY -> functions, and @KEY for what is copied to it
+    const taken = new Map(); // function whose address code takes -> a function that does
+    const of_tables = [];    // { unit, table, offset, target }
+
+    const global_functions = new Set(units.flatMap((unit) => [...unit.global_functions]));
+    for (const unit of units) {
+        unit.function = (name) => // by its name in the object; undefined: it is none of ours
+            unit.local_functions.has(name) ? `${unit.name}:${name}` : global_functions.has(name) ? name : undefined;
     }
-    if (!frame.has(fn)) {
-        if (!helper.has(fn))
-            fail('known calls', `${fn} has no known frame`);
-        bounds.set(fn, helper.get(fn) ?? 0);
-        return bounds.get(fn);
-    }
-    open.push(fn);
-    let most = 0;
-    for (const callee of calls.get(fn) ?? []) {
-        const deep = bound(callee);
-        if (deep > most) {
-            most = deep;
-            next_of.set(fn, callee);
+
+    for (const unit of units) {
+        const title = (s) => (s.includes(':') ? `${unit.name}:${s.slice(s.lastIndexOf(':') + 1)}` : s);
+        for (const line of unit.graph) {
+            let m = /^node: \{ title: "([^"]*)".*?(\d+) bytes \(([a-z,]*)\)/.exec(line);
+            if (m) {
+                frame.set(title(m[1]), Number(m[2]));
+                if (m[3] !== 'static')
+                    fail('fixed frames', `${m[1]} ${m[3]}`);
+            }
+            m = /^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"(?: label: "(.*):(\d+):(\d+)")?/.exec(line);
+            if (m && m[2] === '__indirect_call')
+                pointers.push({ from: title(m[1]), unit, file: m[3], line: Number(m[4]), column: Number(m[5]) });
+            else if (m)
+                add(calls, title(m[1]), title(m[2]));
+        }
+        let section = '';
+        for (const line of unit.relocations) {
+            section = /^RELOCATION RECORDS FOR \[(.*)\]/.exec(line)?.[1] ?? section;
+            const m = /^([0-9a-f]+) (R_ARM_\w+) +([^.\s][^\s+]*)/.exec(line);
+            const from = /^\.text\.(?:unlikely\.|hot\.)?(.*)$/.exec(section)?.[1];
+            const table = /^\.(?:rodata|data|data\.rel\.ro|data\.rel\.ro\.local)\.(.*)$/.exec(section)?.[1];
+            const target = m && unit.function(m[3]);
+            if (m && from && /^R_ARM_THM_(CALL|JUMP)/.test(m[2]))
+                add(calls, unit.function(from), target ?? m[3]);
+            else if (target && from)
+                taken.set(target, from);
+            else if (target && table)
+                of_tables.push({ unit, table, offset: parseInt(m[1], 16), target });
         }
     }
-    open.pop();
-    bounds.set(fn, frame.get(fn) + most);
-    return bounds.get(fn);
+
+    // What stands at an offset of a table: its key, or undefined.
+    function field_at(unit, type, offset) {
+        const of = unit.bare(type);
+        if (of?.tag === 'array_type') {
+            const element = unit.bare(of.type);
+            return field_at(unit, of.type, offset % Number(element.byte_size ?? 4));
+        }
+        if (of?.tag !== 'structure_type')
+            return undefined;
+        const m = unit.members(of).filter((one) => one.offset <= offset).at(-1);
+        if (m && m.offset === offset && unit.is_code(m.type))
+            return `${of.name}.${m.name}`;
+        return m && field_at(unit, m.type, offset - m.offset);
+    }
+    for (const { unit, table, offset, target } of of_tables) {
+        const types = unit.variables.get(table.replace(/\.\d+$/, '')) ?? [];
+        const found = [...types].map((type) => field_at(unit, type, offset)).filter(Boolean);
+        if (!found.length)
+            fail('tables', `${unit.name}: no field of ${table} at ${offset} that could hold ${target}`);
+        found.forEach((key) => add(holds, key, target));
+    }
+
+    // ---- What the source assigns --------------------------------------------------------------------
+
+    // What an expression may give: functions that it names, what it reads, what functions return that it calls.
+    function values(unit, text, to) {
+        for (const m of text.matchAll(new RegExp(`(${CHAIN})\\s*(\\(?)`, 'g'))) {
+            const fn = unit.function(m[1]);
+            if (m[2] && unit.is_code(unit.functions.get(m[1])?.type))
+                add(holds, to, `@return of ${unit.name}:${m[1]}`);
+            else if (!m[2] && fn)
+                add(holds, to, fn);
+            else if (!m[2])
+                keys_of(unit, m[1]).forEach(({ key }) => add(holds, to, `@${key}`));
+        }
+    }
+    // Arguments of each call of a function in a text
+    function* arguments_of(name, text) {
+        for (const m of text.matchAll(new RegExp(`\\b${name}\\s*\\(`, 'g'))) {
+            const given = [''];
+            for (let at = m.index + m[0].length, depth = 1; at < text.length; at++) {
+                depth += '([{'.includes(text[at]) ? 1 : ')]}'.includes(text[at]) ? -1 : 0;
+                if (!depth)
+                    break;
+                if (text[at] === ',' && depth === 1)
+                    given.push('');
+                else
+                    given[given.length - 1] += text[at];
+            }
+            yield given;
+        }
+    }
+    for (const unit of units) {
+        const own = fs.readFileSync(unit.object.replace(/\.o$/, '.d'), 'utf8').split(/[\s\\]+/).slice(1)
+            .filter((f) => f && !f.startsWith('/') && fs.existsSync(f));
+        for (const file of own) {
+            const text = source(file);
+            for (const m of text.matchAll(new RegExp(`(?<![\\w>.])(${CHAIN})\\s*=(?!=)([^;]*);`, 'g')))
+                keys_of(unit, m[1]).forEach(({ key }) => values(unit, m[2], key));
+            // its declaration
+            for (const m of text.matchAll(/\(\s*\*\s*(?:const\s+)?(\w+)\s*\)\s*\([^()]*\)\s*=(?!=)([^;]*);/g))
+                keys_of(unit, m[1]).forEach(({ key }) => values(unit, m[2], key));
+        }
+        for (const [name, entry] of unit.functions) {
+            const parameters = entry.inside.filter((p) => p.tag === 'formal_parameter');
+            parameters.forEach((parameter, n) => {
+                if (unit.is_code(parameter.type) && parameter.name)
+                    for (const file of own)
+                        for (const given of arguments_of(name, source(file)))
+                            values(unit, given[n] ?? '', `${unit.name}:${parameter.name}`);
+            });
+        }
+        const lines = source(unit.file).split('\n');
+        for (const [name, entry] of unit.functions)
+            if (unit.is_code(entry.type) && Number(entry.decl_file) === 1) {
+                const from = Number(entry.decl_line), end = lines.findIndex((l, n) => n >= from && l.startsWith('}'));
+                for (const m of lines.slice(from, end).join('\n').matchAll(/\breturn\b([^;]*);/g))
+                    values(unit, m[1], `return of ${unit.name}:${name}`);
+            }
+    }
+
+    // Functions that a key may hold, and the keys that it has them from.
+    function functions_in(key, seen) {
+        if (seen.has(key))
+            return [];
+        seen.add(key);
+        return [...(holds.get(key) ?? [])]
+            .flatMap((one) => (one[0] === '@' ? functions_in(one.slice(1), seen) : [one]));
+    }
+    const sinks = new Set();
+    let never = 0;
+    for (const { from, unit, file, line, column } of pointers) {
+        const here = `${file}:${line}:${column}`;
+        const text = source(file).split('\n')[line - 1];
+        const called = (part) => [...part.matchAll(new RegExp(`(?<![\\w>.])(${CHAIN})(?=\\s*\\()`, 'g'))]
+            .flatMap((m) => keys_of(unit, m[1]));
+        const first = text.slice(column - 1).match(new RegExp(`^${CHAIN}(?=\\s*\\()`))?.[0];
+        let keys = first ? keys_of(unit, first) : [];
+        if (!keys.length)
+            keys = called(text); // anything in this line
+        if (!keys.length)
+            fail('pointer calls', `${here}: what is called in "${text.trim()}"?`);
+        const outside = ({ key, struct }) => OUTSIDE.has(struct) || OUTSIDE.has(key);
+        if (keys.some(outside))
+            sinks.add(from);
+        for (const { key } of keys.filter((one) => !outside(one))) {
+            const seen = new Set();
+            const to = functions_in(key, seen);
+            if (!to.length && ![...seen].some((one) => EMPTY.split(',').some((field) => one.startsWith(field))))
+                fail('pointer calls', `${here}: nothing fills ${key}`);
+            never += !to.length;
+            to.filter((fn) => !REFUSED.get(from)?.includes(fn)).forEach((fn) => add(calls, from, fn));
+        }
+    }
+    const held = new Set([...holds.values()].flatMap((set) => [...set]));
+    for (const [fn, by] of taken)
+        if (!held.has(fn))
+            fail('pointer calls', `${by} takes the address of ${fn}, which no field or variable is known to hold`);
+
+    // ---- Libraries ------------------------------------------------------------------------------------
+
+    // FUNCTION -> bytes, of what a program has beside ours
+    function measure_helpers(elf) {
+        const names = new Map(), own = new Map(), callees = new Map(), address = new Map(), deepest = new Map();
+        for (const line of run('nm', elf)) {
+            const m = /^(\S+) [tTwW] (\S+)$/.exec(line); // __aeabi_idiv and __divsi3 are one place
+            if (m)
+                add(names, m[1], m[2]);
+        }
+        let f = '';
+        for (const line of run('objdump', '-d', '--no-show-raw-insn', elf)) {
+            let m = /^([0-9a-f]+) <(.*)>:$/.exec(line);
+            if (m) {
+                f = m[2];
+                address.set(f, m[1]);
+                own.set(f, 0);
+                continue;
+            }
+            const take = (bytes) => own.set(f, own.get(f) + bytes);
+            if (/^ +[0-9a-f]+:\s+(push|stm(db|fd)\S*\s+sp!)/.test(line)) {
+                for (const one of /\{(.*)\}/.exec(line)[1].split(',')) {
+                    const [, a, b] = /r(\d+)-r(\d+)/.exec(one) ?? [];
+                    take(a ? 4 * (b - a + 1) : 4);
+                }
+            } else if ((m = /^ +[0-9a-f]+:\s+sub\S*\s+sp,.*#(\d+)/.exec(line)) || (m = /\[sp, #-(\d+)\]!/.exec(line)))
+                take(Number(m[1]));
+            else if ((m = /^ +[0-9a-f]+:\s+b\S*\s.*<([^>+]+)>/.exec(line)) && m[1] !== f)
+                add(callees, f, m[1]);
+        }
+        // What is one piece of assembler has no frame in the compiler's eyes
+        for (const [fn, bytes] of frame)
+            if (!bytes)
+                frame.set(fn, own.get(fn.slice(fn.indexOf(':') + 1)) ?? 0);
+        const deep = (fn, level) => {
+            if (level > 20)
+                return 100000;
+            if (!deepest.has(fn))
+                deepest.set(fn, (own.get(fn) ?? 0) +
+                    Math.max(0, ...[...(callees.get(fn) ?? [])].map((c) => deep(c, level + 1))));
+            return deepest.get(fn);
+        };
+        const out = new Map();
+        for (const [fn, place] of address)
+            if (!frame.has(fn))
+                for (const alias of names.get(place) ?? [fn])
+                    out.set(alias, deep(fn, 0));
+        return out;
+    }
+    const helper = measure_helpers(path.join(DIR, 'all.elf'));
+
+    // ---- The bound ------------------------------------------------------------------------------------
+
+    const bounds = new Map(), next_of = new Map(), open = [];
+    function bound(fn) {
+        if (bounds.has(fn))
+            return bounds.get(fn);
+        if (open.includes(fn)) {
+            fail('no recursion', [...open.slice(open.indexOf(fn)), fn].join(' -> '));
+            return 0;
+        }
+        if (!frame.has(fn)) {
+            if (!helper.has(fn))
+                fail('known calls', `${fn} has no known frame`);
+            bounds.set(fn, helper.get(fn) ?? 0);
+            return bounds.get(fn);
+        }
+        open.push(fn);
+        let most = 0;
+        for (const callee of calls.get(fn) ?? []) {
+            const deep = bound(callee);
+            if (deep > most) {
+                most = deep;
+                next_of.set(fn, callee);
+            }
+        }
+        open.pop();
+        bounds.set(fn, frame.get(fn) + most);
+        return bounds.get(fn);
+    }
+    for (const fn of frame.keys())
+        bound(fn);
+    const worst = [...frame.keys()].filter((fn) => fn.startsWith(PREFIX))
+        .sort((a, b) => bounds.get(b) - bounds.get(a))[0];
+    for (const fn of SHOWN)
+        if (frame.has(fn))
+            say(`note ${NAME} ${fn}: ${bounds.get(fn)} bytes` +
+                (sinks.has(fn) ? ', and what the caller\'s functions take' : ''));
+    for (const fn of new Set([SHOWN[0], worst])) {
+        let steps = '';
+        for (let f = fn; f; f = next_of.get(f))
+            steps += ` ${f}(${frame.get(f) ?? helper.get(f)})`;
+        say(`note ${NAME} deepest:${steps}`);
+    }
+    if (!failed)
+        say(`ok ${NAME} no recursion, fixed frames, ${pointers.length} pointer calls accounted for` +
+            (never ? `, ${never} of them to what nothing fills` : ''));
+    if (!bounds.get(SHOWN[0]) || !pointers.length)
+        fail('bound', `${SHOWN[0]}, or its calls, not found`);
+    else if (bounds.get(worst) > Number(LIMIT))
+        fail(`stack within ${LIMIT} bytes`, `${worst} takes ${bounds.get(worst)}`);
+    else
+        say(`ok ${NAME} stack within ${LIMIT} bytes: ` +
+            (worst === SHOWN[0] ? '' : `${worst} ${bounds.get(worst)}, `) +
+            `${SHOWN[0]} ${bounds.get(SHOWN[0])}`);
+    return failed;
 }
-for (const fn of frame.keys())
-    bound(fn);
-const worst = [...frame.keys()].filter((fn) => fn.startsWith(PREFIX)).sort((a, b) => bounds.get(b) - bounds.get(a))[0];
-for (const fn of SHOWN)
-    if (frame.has(fn))
-        console.log(`note ${NAME} ${fn}: ${bounds.get(fn)} bytes` +
-            (sinks.has(fn) ? ', and what the caller\'s functions take' : ''));
-for (const fn of new Set([SHOWN[0], worst])) {
-    let steps = '';
-    for (let f = fn; f; f = next_of.get(f))
-        steps += ` ${f}(${frame.get(f) ?? helper.get(f)})`;
-    console.log(`note ${NAME} deepest:${steps}`);
+
+for (const line of fs.readFileSync(0, 'utf8').split('\n').filter(Boolean)) {
+    const [name, dir, limit, prefix, outside, empty, ...shown] = line.split(/ +/);
+    const found = [];
+    if (analyse(name.replaceAll('_', ' '), dir, limit, prefix, outside, empty, shown, (text) => found.push(text)))
+        process.exitCode = 1;
+    fs.writeFileSync(path.join(dir, 'bound.txt'), found.map((text) => `${text}\n`).join(''));
 }
-if (!failed)
-    console.log(`ok ${NAME} no recursion, fixed frames, ${pointers.length} pointer calls accounted for` +
-        (never ? `, ${never} of them to what nothing fills` : ''));
-if (!bounds.get(SHOWN[0]) || !pointers.length)
-    fail('bound', `${SHOWN[0]}, or its calls, not found`);
-else if (bounds.get(worst) > Number(LIMIT))
-    fail(`stack within ${LIMIT} bytes`, `${worst} takes ${bounds.get(worst)}`);
-else
-    console.log(`ok ${NAME} stack within ${LIMIT} bytes: ` +
-        (worst === SHOWN[0] ? '' : `${worst} ${bounds.get(worst)}, `) +
-        `${SHOWN[0]} ${bounds.get(SHOWN[0])}`);
-process.exitCode = failed ? 1 : 0;

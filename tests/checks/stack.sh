@@ -12,13 +12,13 @@ EFFECTS_LIMIT=${EFFECTS_STACK_LIMIT:-2696} # ... with all of them, in any combin
 EXPLAIN_LIMIT=${EXPLAIN_STACK_LIMIT:-3456} # zs_explain and its like, which draw a frame within
 PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
 
+# Folders are bound by one process, which reads an object that many have once: what is to be bound, of stack.mjs
+folders=$B/stack.txt
+: >"$folders"
 stack() { # NAME DIR ARGUMENTS of stack.mjs...
     name=$1 dir=$2
     shift 2
-    ok "$name no VLA, no alloca: $(cat "$dir"/*.su | wc -l) frames, $(cat "$dir"/*.su | grep -c dynamic) dynamic"
-    ARM=$ARM node tests/checks/stack.mjs "$name" "$dir" "$@" >"$dir/bound.txt" 2>&1 || failed=1
-    grep -q '^ok .* stack within\|^FAILED' "$dir/bound.txt" || bad "$name bound" "none was found"
-    cat "$dir/bound.txt"
+    echo "$(echo "$name" | tr ' ' _) $dir $*" >>"$folders"
 }
 render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     c=$1 of=$2 empty=$3 dir=$B/stack-$2
@@ -49,7 +49,7 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
 hook() { # FILE: the hook of a program with an overlay, which zs_explain looks for, as an object beside the others
     printf '#include "zs_overlay.h"\nconst struct zs_resolve hook = { .draw = zs_overlay_draw };\n' >"$1.c"
     # shellcheck disable=SC2086
-    CCACHE_DISABLE=1 ${ARM}gcc -std=c11 -mcpu="$c" -mthumb $OPT $flags $MEASURED -Ifirmware/zstrip -c "$1.c" -o "$1.o"
+    measured -std=c11 -mcpu="$c" -mthumb $OPT $flags -Ifirmware/zstrip -c "$1.c" -o "$1.o"
 }
 copy() { # NAME: a folder of all objects
     dir=$B/stack-$1
@@ -57,13 +57,14 @@ copy() { # NAME: a folder of all objects
 }
 # A renderer has one method, so each is bound by itself, and the usual one, the depth buffer, without them.
 bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _ between, and . for _ in a name
-    for m in painter sort hiz hiz_bounds depthsort coverage order newell pieces order_depth raycast rays ray_nodes \
+    gone=
+    for m in painter sort hiz hiz.bounds depthsort coverage order newell pieces order.depth raycast rays ray.nodes \
         layers; do
-        case _${2}_ in
-        *_"$(echo $m | tr _ .)"_*) ;;
-        *) rm -f "$dir/method_$m".* "$dir/effect_$m".* ;;
-        esac
+        case $m in *.*) file=${m%.*}_${m#*.} ;; *) file=$m ;; esac
+        case _${2}_ in *_"$m"_*) ;; *) gone="$gone $dir/method_$file.* $dir/effect_$file.*" ;; esac
     done
+    # shellcheck disable=SC2086
+    rm -f $gone
     case $1 in *-share) ;; *) rm -f "$dir/fast_share".* ;; esac # of programs for two cores: zs_share.h
     most=$EFFECTS_LIMIT
     case $1 in
@@ -99,6 +100,14 @@ for c in $CPUS; do
         { bad "panels, $c link" "see above"; continue; }
     stack "panels, $c" "$dir" "$PANEL_LIMIT" panel_ hal_bus,hal_hooks - panel_send
 done
+
+ARM=$ARM node tests/checks/stack.mjs <"$folders" || failed=1
+while read -r name dir _; do
+    name=$(echo "$name" | tr _ ' ')
+    ok "$name no VLA, no alloca: $(frames "$dir" | wc -l) frames, $(frames "$dir" | grep -c dynamic) dynamic"
+    grep -q '^ok .* stack within\|^FAILED' "$dir/bound.txt" || bad "$name bound" "none was found"
+    cat "$dir/bound.txt"
+done <"$folders"
 
 # What the boards' tests have found painted over is no more than that: drawing, and sending from it. Interrupts and the
 # program's own frames are in what was painted, too.

@@ -55,9 +55,17 @@ core() {
 panels() {
     compile hal/panel "$@" -Ihal -ffreestanding
 }
-# Of one core and flags it is compiled once for all who ask, and anew where a source or this file is newer; ccache keeps
-# no .ci files.
-MEASURED='-g -MMD -fstack-usage -fcallgraph-info=su'
+# With -o OBJECT.o: an object, with its functions' frames and the call graph in OBJECT.su
+measured() { # OPTION... of gcc
+    # shellcheck disable=SC2046,SC2086
+    MEASURED_GCC=${ARM}gcc CCACHE_COMPILERTYPE=gcc CCACHE_COMPILERCHECK=string:$measured_id \
+        $(command -v ccache) tests/lib/measured_gcc.sh -g -MMD -fstack-usage "$@"
+}
+measured_id=$({ ${ARM}gcc --version && cat tests/lib/measured_gcc.sh; } 2>&1 | cksum | tr -d ' ')
+frames() { # DIR: what the objects' functions take, a line each
+    cat "$1"/*.su | grep -vE '^(graph|node|edge|\})'
+}
+# Of one core and flags it is compiled once for all who ask, and anew where a source or this file is newer.
 compile() {
     from=$1 cpu=$2 dir=$3
     shift 3
@@ -74,7 +82,7 @@ compile() {
                 [ -e "$src" ] || continue
                 case "$src $*" in */fast/*ZS_NO_FAST=1*) continue ;; esac
                 # shellcheck disable=SC2086
-                CCACHE_DISABLE=1 ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" $MEASURED -Ifirmware/zstrip \
+                measured -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" -Ifirmware/zstrip \
                     -c "$src" -o "$kept/$(echo "${src%.c}" | sed "s|^$from/||; s|/|_|g").o" || exit 1
             done
             mv "$kept/begun" "$kept/made"
