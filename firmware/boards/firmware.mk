@@ -57,7 +57,7 @@ APP_SRC += firmware/scenes/pieces/$(SCENE).c
 APP_FLAGS += -DSHOW_PIECE=1
 endif
 endif
-METHODS_KNOWN = $(shell sed -n 's/^extern const struct zs_method zs_method_\([a-z]*\);/\1/p' \
+METHODS_KNOWN := $(shell sed -n 's/^extern const struct zs_method zs_method_\([a-z]*\);/\1/p' \
                           firmware/zstrip/zs_method.h)
 ifneq ($(filter-out $(METHODS_KNOWN),$(METHOD)),)
 $(error METHOD=$(METHOD): no such method; there are $(METHODS_KNOWN), and none: the depth buffer)
@@ -107,22 +107,23 @@ endif
 # What names no scene is compiled once, the rest once a scene
 # method/, effect/, overlay/, zs_explain and hal/panel/ are compiled where the program's own sources, or headers of
 # their names, name something of them
-NAMING = $(APP_SRC) $(wildcard $(APP_SRC:.c=.h))
-METHODS = $(METHOD)$(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
-EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' $(NAMING))
-OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(NAMING))
-EXPLAINS = $(shell grep -lE '"zs_explain\.h"' $(NAMING))
-CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) \
+NAMING := $(APP_SRC) $(wildcard $(APP_SRC:.c=.h))
+METHODS := $(METHOD)$(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
+EFFECTS := $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' \
+                        $(NAMING))
+OVERLAYS := $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(NAMING))
+EXPLAINS := $(shell grep -lE '"zs_explain\.h"' $(NAMING))
+CORE := $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) \
                     $(if $(EXPLAINS),,firmware/zstrip/support/explain%) \
                     $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\
                     $(wildcard firmware/zstrip/*/*.c))
-PANELS = $(if $(shell grep -lE '[<"]panel\.h[>"]' $(NAMING)),$(wildcard hal/panel/*.c))
+PANELS := $(if $(shell grep -lE '[<"]panel\.h[>"]' $(NAMING)),$(wildcard hal/panel/*.c))
 # CORE_OBJ=DIR: the renderer as objects that lie there, made by tests/lib/checksum_program.sh with DEFINES
 CORE_OBJ =
-COMMON = $(PANELS) $(if $(CORE_OBJ),,$(CORE)) $(wildcard firmware/scenes/*.c $(B)/gen/meshes.c)
-SRC = $(wildcard hal/$(BOARD_HAL)/*.c) $(BOARD_SRC) $(COMMON)
-OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC)) \
+COMMON := $(PANELS) $(if $(CORE_OBJ),,$(CORE)) $(wildcard firmware/scenes/*.c $(B)/gen/meshes.c)
+SRC := $(wildcard hal/$(BOARD_HAL)/*.c) $(BOARD_SRC) $(COMMON)
+OBJ := $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC)) \
       $(if $(CORE_OBJ),$(foreach c,$(CORE:.c=.o),$(CORE_OBJ)/$(subst /,-,$c)))
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra $(WERROR) -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
@@ -133,18 +134,22 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sectio
          $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
-note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1
+same = $(and $(findstring <$1>,<$2>),$(findstring <$2>,<$1>))
+noted = $(and $(wildcard $1),$(call same,$(strip $(file <$1)),$(strip $2)))
+note = $(if $(call noted,$1,$2),,$(shell mkdir -p $(dir $1))$(file >$1,$2))$1
 DEFINED := $(call note,$(OUT)/defines,$(DEFINES))
 FLAGGED := $(call note,$(OUT)/of-$(NAME)/flags,$(APP_FLAGS))
 LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA) $(APP_LINK))
 
 # All of the renderer, for make library: $(OUT)/libzstrip.a
-LIBRARY_OBJ = $(patsubst %.c,$(OUT)/%.o,$(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%),\
+LIBRARY_OBJ := $(patsubst %.c,$(OUT)/%.o,$(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%),\
                                                      $(wildcard firmware/zstrip/*/*.c)))
+
+FOLDERS := $(shell mkdir -p $(sort $(dir $(OBJ) $(LIBRARY_OBJ)))) # all at once, not one before each object
 
 # What knows nothing of the board is compiled the same for all boards of a core, once where ccache is in the path: of
 # DEFINES it takes the library's alone, -DZS_...
-COMMON_OBJ = $(patsubst %.c,$(OUT)/%.o,$(COMMON))
+COMMON_OBJ := $(patsubst %.c,$(OUT)/%.o,$(COMMON))
 GEN = -I$(B)/gen
 # The renderer and the panels do not see the build folder either, so that ccache has them for projects elsewhere, too
 $(LIBRARY_OBJ) $(patsubst %.c,$(OUT)/%.o,$(PANELS)): GEN =
@@ -172,13 +177,10 @@ $(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS) $(LINKED)
 	    { cat $@.log >&2; ! grep -q overflowed $@.log || echo '$(FULL)' >&2; exit 1; }
 	@cat $@.log >&2; rm -f $@.log
 $(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED) $(FLAGGED)
-	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) $(APP_FLAGS) -c $< -o $@
 $(OUT)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED)
-	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) -c $< -o $@
 $(OUT)/%.o: %.S firmware/boards/$(BOARD)/board.mk
-	@mkdir -p $(@D)
 	$(BOARD_CC) $(BOARD_CPU) -c $< -o $@
 
 # What is flashed, and what it takes of the part: sections that lie in RAM are zeros, data and stack
