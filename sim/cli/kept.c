@@ -64,6 +64,7 @@ void *sim_kept(size_t bytes)
         unpoison(k->memory, k->room);
         block = k->lent = k->memory + (k->room - bytes) / 4 * 4;
         poison(k->memory, (size_t)((char *)block - k->memory));
+        poison((char *)block + bytes, k->room - bytes - (size_t)((char *)block - k->memory));
     }
     (void)pthread_mutex_unlock(&lock);
     return k != NULL ? block : malloc(bytes + 1);
