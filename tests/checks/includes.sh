@@ -31,17 +31,21 @@ headers() {
 reach() {
     name=$1 forbidden=$2
     shift 2
-    found= broken=
-    for f in "$@"; do
-        # shellcheck disable=SC2046
-        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/null -Ihal/cortexm \
-            -Ihal/semihosting -Ihal/spi -Ihal/panel \
-            $(printf -- '-I%s ' sim/*/) "$f" 2>"$B/reach.txt") ||
-            broken="$broken $f"
-        found="$found
-$(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
-    done
-    none "$name" "$(printf '%s\n' "$found$broken" | sed '/^$/d')"
+    # shellcheck disable=SC2046
+    gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/null -Ihal/cortexm \
+        -Ihal/semihosting -Ihal/spi -Ihal/panel \
+        $(printf -- '-I%s ' sim/*/) "$@" >"$B/reach.txt" 2>"$B/reach.err" ||
+        bad "$name: compiles" "$(cat "$B/reach.err")"
+    # a rule a file: what is made, the file, what it includes
+    none "$name" "$(awk -v forbidden="$forbidden" -v files=$# '
+        {
+            for (i = 1; i <= NF; i++) {
+                if ($i ~ /:$/) { file = ""; n++ }
+                else if ($i != "\\" && file == "") file = $i
+                if ($i != "\\" && $i !~ /:$/ && $i ~ forbidden) print file "->" $i
+            }
+        }
+        END { if (n != files) print "rules:" n + 0 ",_not_" files }' "$B/reach.txt")"
 }
 
 zstrip=$(cd firmware/zstrip && ls ./*.h ./*/*.h | sed 's|^\./||; s/\./\\./' | tr '\n' '|')
