@@ -143,11 +143,12 @@ FILE *study_plot_open(struct study_page *page, const char *name, int width, int 
     return page->plot;
 }
 
-/* gnuplot's exit status; -1: there is none. What it draws goes to `to`. */
+/* gnuplot's exit status; 127: there is none. What it draws goes to `to`. Scripts are UTF-8, of which it warns where the
+ * locale is another. */
 static int run_gnuplot(const char *script, const char *to)
 {
     posix_spawn_file_actions_t files;
-    const char *const words[] = { "gnuplot", script, NULL };
+    const char *const words[] = { "env", "LC_ALL=C.UTF-8", "gnuplot", script, NULL };
     (void)posix_spawn_file_actions_init(&files);
     (void)posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, to, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     return sim_run_program(words, &files);

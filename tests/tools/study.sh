@@ -3,6 +3,7 @@
 # and, with frames counted on the emulated M3, that no setting beats the default.
 # Usage: tests/tools/study.sh ZSIM WORKDIR BUILD     as tests/tools/cli.sh; BUILD has what firmware is made of
 set -u
+unset LANG LC_ALL LC_CTYPE # what it writes is UTF-8 in any locale
 build=$(cd "$3" && pwd)
 . tests/tools/zsim.sh
 
