@@ -16,19 +16,9 @@ designated_headers() {
     done
 }
 
-# COMPILER OPTION... FILE.c...: "file:line" of positional initialisers, but { 0 }, and errors. To objects, which ccache
-# keeps with what the compiler says.
+# COMPILER ARGUMENT...: "file:line" of positional initialisers, but { 0 }, and errors. Nothing is compiled to a file.
 positional() {
-    options=
-    for argument in "$@"; do
-        case $argument in *.c) continue ;; esac
-        options="$options $argument"
-    done
-    for argument in "$@"; do
-        case $argument in *.c) ;; *) continue ;; esac
-        # shellcheck disable=SC2086
-        LC_ALL=C $options -MMD -Wdesignated-init -fdiagnostics-color=never -c "$argument" -o "$dir/positional.o" 2>&1
-    done | awk '
+    LC_ALL=C "$@" -fsyntax-only -Wdesignated-init -fdiagnostics-color=never 2>&1 | awk '
         / error: / { print; next }
         /\[-Wdesignated-init\]/ {
             split($1, at, ":")
