@@ -20,6 +20,7 @@ TEST_CC = $(CC) -std=gnu11 $(TEST_O) -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
 FRAME = $(addprefix sim/frame/,frame.c frame_ids.c frame_threads.c scene_share.c method_names.c) sim/cli/sim.c
+PICTURE = tests/lib/picture.c sim/cli/kept.c # and what it stands on
 TEST_HELP = $(wildcard tests/lib/*.c) sim/cli/kept.c tests/lab/fuzz/world.c tests/lab/fuzz/effects.c
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 

@@ -11,8 +11,8 @@
 #include "accelerator_table.h"
 #include "sim.h"
 
-static const struct zs_fast *const all[] = { ZS_FAST_ALL, ZS_FAST_END };
-static_assert(KNOWN + 1 == sizeof all / sizeof all[0] && KNOWN <= SIM_FAST_MAX, "all that ZS_FAST_ALL names");
+#define ALL sizeof((const struct zs_fast *const[]){ ZS_FAST_ALL, ZS_FAST_END })
+static_assert(ALL == (KNOWN + 1) * sizeof(struct zs_fast *) && KNOWN <= SIM_FAST_MAX, "all that ZS_FAST_ALL names");
 
 /* The number of a name; KNOWN: there is none such, said so. */
 static size_t find(const char *name, size_t length)

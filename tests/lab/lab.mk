@@ -157,7 +157,7 @@ fuzz_objects = $(call t,$(patsubst %,tests/lab/fuzz/%.c,$(1))) $(B)/test/libtest
 FUZZ_TARGETS = fuzz_scan fuzz_options fuzz_panel
 fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards $(FUZZ_TARGETS:%=$(B)/fuzz/%)
 lib-fuzz-programs: $(B)/fuzz/fuzz_mesh $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%)
-$(B)/test/tests/lab/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/lab/fuzz -Isim/linux -Ihal/linux -D_GNU_SOURCE
+$(B)/test/tests/lab/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/lab/fuzz -Isim/linux -Ihal/linux -D_GNU_SOURCE=
 FUZZ_SIM = $(filter-out $(MODEL) sim/cli/main.c,$(SIM)) sim/linux/linux_options.c
 $(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/lab/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
                                             $(call fuzz_objects,drive input replay said) $(B)/libmeshes.a
@@ -176,7 +176,7 @@ $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
 $(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh input replay world)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $^ -o $@
-$(B)/fuzz/fuzz_mesh: tests/lab/fuzz/fuzz_mesh.c $(patsubst %,tests/lib/%.c,fast_lists own picture) $(CORE) $(HEADERS)
+$(B)/fuzz/fuzz_mesh: tests/lab/fuzz/fuzz_mesh.c $(patsubst %,tests/lib/%.c,fast_lists own) $(PICTURE) $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/lab/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
 
@@ -195,7 +195,7 @@ $(B)/stress/oracle.o: tests/lib/oracle.c tests/lib/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@
 STRESS = $(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c tests/lab/fuzz/effects.c \
-         $(patsubst %,tests/lib/%.c,clusters fast_lists own picture) $(CORE)
+         $(patsubst %,tests/lib/%.c,clusters fast_lists own) $(PICTURE) $(CORE)
 $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
 	    -lm -o $@
