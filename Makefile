@@ -27,8 +27,7 @@ HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/*/*.h 
 # An object depends on the headers that it includes, as the compiler noted them beside it (.d; HEADERS are for what is
 # compiled of many files at once), and on a note of its compiler's options, written anew where they change
 DEP = -MMD -MP
-same = $(and $(findstring <$1>,<$2>),$(findstring <$2>,<$1>))
-note = $(if $(call same,$(strip $(file <$1)),$(strip $2)),,$(shell mkdir -p $(dir $1))$(file >$1,$2))$1
+include firmware/boards/note.mk
 
 BOARD = pico
 SCENE = teapot
@@ -105,5 +104,5 @@ help-all: help
 .PHONY: all demo test quick t sim firmware show pico linux web clean help help-all
 
 INCLUDED := $(MAKEFILE_LIST)
--include $(foreach at,core sim test test/narrow fuzz/clang web study/*,$(foreach of,firmware hal sim tests,\
+-include $(foreach at,core sim test test/narrow clang fuzz/clang web study/*,$(foreach of,firmware hal sim tests,\
     $(wildcard $(addprefix $(B)/$(at)/$(of)/,*.d */*.d */*/*.d))))

@@ -53,11 +53,11 @@ $(B)/libmeshes.a: $(B)/gen/meshes.h
 $(B)/gen/study_build.h: $(CORE) $(SCENES) $(filter sim/%,$(SIM)) $(GEN) $(filter-out tests/%,$(HEADERS))
 	@mkdir -p $(B)/gen
 	@cat $^ | cksum | awk '{ printf "#define STUDY_BUILD \"%08x\"\n", $$1 }' >$@
-$(B)/sim/sim/study/study.o $(B)/test/sim/study/study.o $(B)/fuzz/clang/sim/study/study.o: $(B)/gen/study_build.h
+$(foreach at,sim test clang fuzz/clang,$(B)/$(at)/sim/study/study.o): $(B)/gen/study_build.h
 
 # A window is compiled anew where SDL2's headers have come or gone
 VIEW_NOTE := $(call note,$(B)/sim/sdl2,SDL2: $(wildcard /usr/include/SDL2/SDL.h /usr/local/include/SDL2/SDL.h))
-$(foreach at,sim test fuzz/clang,$(B)/$(at)/sim/view/window.o): $(VIEW_NOTE)
+$(foreach at,sim test clang fuzz/clang,$(B)/$(at)/sim/view/window.o): $(VIEW_NOTE)
 
 SIM_CC = $(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -DZS_VARYINGS_MAX=8
 SIM_NOTE := $(call note,$(B)/sim/cc,$(SIM_CC))
@@ -65,7 +65,7 @@ $(B)/sim/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(SIM_CC) $(WERROR) $(DEP) -c $< -o $@
 # Demo scenes are seen from other sides (sim/frame/demo_frame.c), those with effects by this hook
-$(foreach at,sim test fuzz/clang,$(B)/$(at)/firmware/scenes/pieces/%.o): INC += -DSTAGE_ORBIT=1
+$(foreach at,sim test clang fuzz/clang,$(B)/$(at)/firmware/scenes/pieces/%.o): INC += -DSTAGE_ORBIT=1
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(SIM)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'

@@ -14,8 +14,8 @@ SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-b
 # -g1: lines for the sanitizers' reports; all of -g takes a fifth longer to compile. -Og for the tests' own files and
 # for sim/: half of -O1's time, and they run about as fast
 TEST_O = -O1
-TEST_CC = $(CC) -std=gnu11 $(TEST_O) -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers \
-          -Wno-unused-parameter $(INC) \
+TEST_WARN = -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers -Wno-unused-parameter
+TEST_CC = $(CC) -std=gnu11 $(TEST_O) -g1 $(SAN) $(TEST_WARN) $(INC) \
           -Itests/lib -DZS_STATS=1 -DZS_VARYINGS_MAX=8 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
@@ -30,7 +30,7 @@ UNITS_T = $(strip $(if $(T),$(foreach u,$(UNITS),$(if $(findstring $(T),$(u)),$(
 
 unit-programs: $(UNITS:%=$(B)/test/%)
 	@:
-test-programs: unit-programs $(B)/test/zsim $(B)/test/zlab checksum-programs mutate-link $(B)/libcore.a
+test-programs: unit-programs $(B)/test/zsim $(B)/test/zlab checksum-programs mutate-link clang-objects $(B)/libcore.a
 .PHONY: unit-programs
 
 .SECONDARY: $(call t,$(TESTS))
@@ -117,7 +117,7 @@ CHECKSUMS = $(CHECKSUM_HOST:%=$(B)/test/checksum-%) $(foreach o,O0 O2 Os,$(B)/te
 CHECKSUMS_BARE = $(patsubst %,$(B)/test/bare-%,$(CHECKSUM_HOST) powerpc-Os)
 $(B)/test/checksum-powerpc-% $(B)/test/bare-powerpc-%: CHECKSUM_CC = powerpc-linux-gnu-gcc -static
 CHECKSUM_CC = $(word 2,$(subst -, ,$(@F)))
-CHECKSUM_FLAGS = -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) -DZS_VARYINGS_MAX=8 -Itests/lib
+CHECKSUM_FLAGS = -std=c11 -$(word 3,$(subst -, ,$(@F))) $(TEST_WARN) $(INC) -DZS_VARYINGS_MAX=8 -Itests/lib
 CHECKSUM = sh tests/lib/checksum_program.sh $@ $(CHECKSUM_CC) $(CHECKSUM_FLAGS) --
 checksum-programs: $(CHECKSUMS) $(CHECKSUMS_BARE)
 $(CHECKSUMS) $(CHECKSUMS_BARE): tests/lib/checksum_program.sh $(HEADERS)

@@ -134,9 +134,7 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sectio
          $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
-same = $(and $(findstring <$1>,<$2>),$(findstring <$2>,<$1>))
-noted = $(and $(wildcard $1),$(call same,$(strip $(file <$1)),$(strip $2)))
-note = $(if $(call noted,$1,$2),,$(shell mkdir -p $(dir $1))$(file >$1,$2))$1
+include firmware/boards/note.mk
 DEFINED := $(call note,$(OUT)/defines,$(DEFINES))
 FLAGGED := $(call note,$(OUT)/of-$(NAME)/flags,$(APP_FLAGS))
 LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA) $(APP_LINK))

@@ -25,10 +25,12 @@
 #define LEAST ((size_t)1 << 16) /* bytes */
 #define ALIGN 64
 
+/* While it is lent its addresses stand here inverted: LeakSanitizer would find it by them, and not report one that its
+ * user has lost. */
 static struct kept {
-    char *memory; /* NULL: none yet */
+    char *memory; /* while it is free; NULL: none yet, or lent */
     size_t room;
-    void *lent; /* what is in use of it; NULL: it is free */
+    uintptr_t lent, lent_memory; /* ~ of what is in use of it, and of its start; 0: it is free */
 } kept[KEPT];
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
@@ -37,7 +39,7 @@ static struct kept *fitting(size_t room)
 {
     struct kept *best = NULL, *other = NULL;
     for (struct kept *k = kept; k < kept + KEPT; k++) {
-        if (k->lent != NULL)
+        if (k->lent != 0)
             continue;
         if (k->room >= room && (best == NULL || k->room < best->room))
             best = k;
@@ -61,13 +63,17 @@ void *sim_kept(size_t bytes)
         k->room = k->memory != NULL ? room : 0;
     }
     if (k != NULL && k->memory != NULL) {
+        const size_t before = (k->room - bytes) / 4 * 4;
         unpoison(k->memory, k->room);
-        block = k->lent = k->memory + (k->room - bytes) / 4 * 4;
-        poison(k->memory, (size_t)((char *)block - k->memory));
-        poison((char *)block + bytes, k->room - bytes - (size_t)((char *)block - k->memory));
+        poison(k->memory, before);
+        poison(k->memory + before + bytes, k->room - bytes - before);
+        block = k->memory + before;
+        k->lent = ~(uintptr_t)block;
+        k->lent_memory = ~(uintptr_t)k->memory;
+        k->memory = NULL;
     }
     (void)pthread_mutex_unlock(&lock);
-    return k != NULL ? block : malloc(bytes + 1);
+    return k != NULL ? block : malloc(bytes > 0 ? bytes : 1);
 }
 
 void sim_kept_end(void *block)
@@ -77,10 +83,11 @@ void sim_kept_end(void *block)
         return;
     (void)pthread_mutex_lock(&lock);
     for (struct kept *k = kept; k < kept + KEPT; k++)
-        of = k->lent == block ? k : of;
+        of = k->lent == ~(uintptr_t)block ? k : of;
     if (of != NULL) {
+        of->memory = (char *)~of->lent_memory;
+        of->lent = 0;
         poison(of->memory, of->room);
-        of->lent = NULL;
     }
     (void)pthread_mutex_unlock(&lock);
     if (of == NULL)

@@ -614,9 +614,9 @@ struct sum {
     FILE *ppm;
 };
 
-static void hash_byte(struct sum *s, uint32_t byte)
+static void hash_byte(struct sum *s, uint32_t value)
 {
-    s->hash = (s->hash ^ byte) * 16777619u;
+    s->hash = (s->hash ^ value) * 16777619u;
 }
 
 static void write_pixel(FILE *f, uint32_t c)

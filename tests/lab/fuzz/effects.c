@@ -149,9 +149,7 @@ static void items(struct effects *e, struct prng *p)
     static const struct zs_item_kind *const kinds[] = { &zs_item_fill,   &zs_item_outline, &zs_item_line,
                                                         &zs_item_text,   &zs_item_bar,     &zs_item_arc,
                                                         &zs_item_needle, &zs_item_ticks };
-    static const char *const texts[] = { "21 \xc2\xb0"
-                                         "C",
-                                         "A\nbc", "\xff~" };
+    static const char *const texts[] = { "21 \302\260C", "A\nbc", "\xff~" };
     for (int k = 0; k < EFFECT_ITEMS; k++) {
         struct zs_item *i = &e->item[k];
         memset(i, 0, sizeof *i);
