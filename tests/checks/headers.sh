@@ -1,6 +1,7 @@
 #!/bin/sh
-# The public headers, each alone in a file, and a program that uses their macros are clean C99 to C17 and C++11 to C++20
-# by gcc and clang; the library is C11. And such a program, C99 or C++11, links with the C library and draws. One that
+# The public headers, all in a file, and a program that uses their macros are clean C99 to C17 and C++11 to C++20 by gcc
+# and clang, and in the oldest of each so is each header alone: what it does not include it lacks in all of them. The
+# library is C11. And such a program, C99 or C++11, links with the C library and draws. One that
 # was compiled with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library is refused by zs_init.
 #
 # SPDX-License-Identifier: MIT
@@ -171,16 +172,18 @@ END
 first_error() {
     grep -m1 -E 'error|undefined' "$B/headers.txt" || head -n 1 "$B/headers.txt"
 }
-# COMPILER STD SUFFIX FLAGS: each file by itself; the compiler takes them all at once
+# COMPILER STD FLAGS FILE...: each file by itself; the compiler takes them all at once
 clean() {
+    compiler=$1 std=$2 flags=$3
+    shift 3
     for none in 0 1; do
         # shellcheck disable=SC2086
-        "$1" -std="$2" $4 -DZS_NO_FAST=$none $INC -fsyntax-only "$dir"/*."$3" 2>"$B/headers.txt" || {
-            bad "headers as $2 by $1, ZS_NO_FAST=$none" "$(first_error)"
+        $compiler -std=$std $flags -DZS_NO_FAST=$none $INC -fsyntax-only "$@" 2>"$B/headers.txt" || {
+            bad "headers as $std by $compiler, ZS_NO_FAST=$none" "$(first_error)"
             return
         }
     done
-    ok "headers as $2 by $1"
+    ok "headers as $std by $compiler"
 }
 for h in $HEADERS; do
     name=$(basename "$h")
@@ -188,11 +191,14 @@ for h in $HEADERS; do
     printf '#include "%s"\n' "$name" "$name" | sed '$a extern int declared;' |
         tee "$dir/only_${name%.h}.c" >"$dir/only_${name%.h}.cpp"
 done
+cat "$dir"/only_*.c | tee "$dir/all.c" >"$dir/all.cpp"
 for compiler in gcc clang; do
-    for std in c99 c11 c17; do clean $compiler $std c "$C"; done
+    clean $compiler c99 "$C" "$dir"/*.c
+    for std in c11 c17; do clean $compiler $std "$C" "$dir/all.c" "$dir/main.c"; done
 done
 for compiler in g++ clang++; do
-    for std in c++11 c++14 c++17 c++20; do clean $compiler $std cpp "$CXX"; done
+    clean $compiler c++11 "$CXX" "$dir"/*.cpp
+    for std in c++14 c++17 c++20; do clean $compiler $std "$CXX" "$dir/all.cpp" "$dir/main.cpp"; done
 done
 
 # ---- Linked -------------------------------------------------------------------------------------------------------
