@@ -366,6 +366,35 @@ static void shows_the_worst_case(void **state)
     }
 }
 
+/* A hundred triangles that cross each other in 8 x 8 pixels, with records for their thousands of pieces: that asks no
+ * more than all triangles at all pixels, once for each size of a rectangle, and shows what a pool of two shows, which
+ * has no room for an order. */
+static void is_halved_where_pixels_take_less(void **state)
+{
+    const struct zs_camera camera = pixel_camera(8, 0);
+    (void)state;
+    for (int both = 0; both < 2; both++) {
+        struct prng p = { 1 };
+        struct zs_config c = picture_config(8, 8, &zs_depth_order);
+        for (uint32_t v = 0; v < 3 * TRIS; v++) {
+            pos[v][0] = v % 3 == 1 ? 9000 : -4000;
+            pos[v][1] = v % 3 == 2 ? 9000 : -4000;
+            pos[v][2] = (int16_t)-prng_range(&p, 1, 30000);
+        }
+        mesh_set(TRIS);
+        c.method = both ? &zs_method_coverage : &zs_method_depthsort;
+        struct picture is = picture_draw(&c, &scene, &camera);
+        c.max_tris = 2;
+        struct picture want = picture_draw(&c, &scene, &camera);
+        assert_int_equal(is.err, ZS_OK);
+        assert_int_equal(want.err, ZS_OK);
+        assert_memory_equal(is.color, want.color, 8 * 8 * sizeof is.color[0]);
+        printf("%d that cross in 8 x 8 pixels: %u pairs, %u splits\n", TRIS, is.stats.pairs, is.stats.splits);
+        assert_true(is.stats.pairs <= 7 * 8 * 8 * TRIS);
+        PICTURES_FREE(&is, &want);
+    }
+}
+
 /* Strips that are not drawn hand their triangles on. */
 static void strips_may_be_skipped(void **state)
 {
@@ -476,6 +505,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(costs_n_log_n_where_depths_are_apart),
     cmocka_unit_test(splits_are_counted),
     cmocka_unit_test(shows_the_worst_case),
+    cmocka_unit_test(is_halved_where_pixels_take_less),
     cmocka_unit_test(strips_may_be_skipped),
     cmocka_unit_test(only_what_changed_may_be_drawn),
     cmocka_unit_test(small_pools_and_other_mappings_are_refused)

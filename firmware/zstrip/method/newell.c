@@ -9,7 +9,10 @@
  *
  * The list has two parts. The first `moved` elements were moved to the head; the rest is sorted. An
  * element is moved at most once, as it leaves the first part only when it is drawn, and records for
- * pieces are limited. So the loop ends.
+ * pieces are limited. So the loop ends. Where many triangles cross it would end late; then halves
+ * of the rectangle take less time, the last of which are pixels that ask each triangle once. So an
+ * order may ask about as many elements as all pixels of the rectangle would; then it is halved.
+ * What a strip takes grows no faster than pixels * triangles * log2(pixels).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -22,16 +25,20 @@ struct ordering {
     struct zs_linear nearer;  /* ... < 0 where the head is nearer */
     uint16_t list;
     uint32_t moved;
+    uint32_t left;            /* elements that may still be asked about or passed */
 };
 
 /* Put an element into the sorted part of the list, behind those that are as far. */
 static void insert(const struct zs_renderer *r, struct ordering *g, uint32_t t)
 {
     uint16_t *link = &g->list;
-    for (uint32_t k = 0; k < g->moved; k++)
+    uint32_t passed = 0;
+    while (passed < g->moved ||
+           (*link != ZS_NIL && zs_sort_farthest(r, *link) >= zs_sort_farthest(r, t))) {
         link = &r->tri[*link].next;
-    while (*link != ZS_NIL && zs_sort_farthest(r, *link) >= zs_sort_farthest(r, t))
-        link = &r->tri[*link].next;
+        passed++;
+    }
+    g->left -= zs_minu32(g->left, passed);
     r->tri[t].next = *link;
     *link = (uint16_t)t;
 }
@@ -104,6 +111,11 @@ static int is_next(struct zs_renderer *r, struct ordering *g, int *fits)
     struct zs_order *o = r->method_state;
     uint16_t *link = &r->tri[g->list].next;
     for (uint32_t index = 1; *link != ZS_NIL; index++, link = &r->tri[*link].next) {
+        if (!g->left) {
+            *fits = 0;
+            return 0;
+        }
+        g->left--;
         const uint32_t far = zs_sort_farthest(r, *link);
         /* depths at pixels lie between those of the vertices, but for ZS_PLANE_ERROR */
         if (far < g->p.near && g->p.near - far > 2u * ZS_PLANE_ERROR) {
@@ -135,11 +147,14 @@ static int is_next(struct zs_renderer *r, struct ordering *g, int *fits)
 int zs_order_newell(struct zs_renderer *r, uint16_t list)
 {
     struct zs_order *o = r->method_state;
+    const uint32_t all = (uint32_t)((o->x1 - o->x0) * (o->y1 - o->y0)); /* <= 2^12 * 2^12 */
+    const uint32_t pixels = zs_minu32(all, UINT16_MAX); /* n_tris < 2^16 */
     struct ordering g;
     uint16_t *tail = &o->list;
     int fits = 1;
     g.list = zs_sort_list(r, list);
     g.moved = 0;
+    g.left = pixels * r->n_tris;
     o->list = ZS_NIL;
     while (g.list != ZS_NIL) {
         zs_order_load(r, g.list, &g.p);
