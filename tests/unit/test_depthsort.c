@@ -395,6 +395,39 @@ static void is_halved_where_pixels_take_less(void **state)
     }
 }
 
+/* Bars from corner to corner, side by side, more than the pool holds: the box of each is nearly the frame, but parts of
+ * it have few. */
+static void leaves_out_what_is_beside_a_rectangle(void **state)
+{
+    const struct zs_camera camera = flat_camera();
+    (void)state;
+    for (int both = 0; both < 2; both++) {
+        struct zs_config c = picture_config(SIDE, SIDE, &zs_depth_order);
+        const int32_t end = SIDE * 128;
+        for (uint32_t t = 0; t < TRIS; t++) {
+            const int32_t at = (int32_t)t * 2 * end / TRIS - end; /* where it crosses the other diagonal, twice */
+            const int32_t x[3] = { at - end, at - end + 256, at + end };
+            const int32_t y[3] = { -at - end, -at - end - 256, -at + end };
+            for (uint32_t k = 0; k < 3; k++) {
+                pos[3 * t + k][0] = (int16_t)x[k];
+                pos[3 * t + k][1] = (int16_t)y[k];
+                pos[3 * t + k][2] = (int16_t)(-100 - (int32_t)(t * 37 % TRIS) * 50);
+            }
+        }
+        mesh_set(TRIS);
+        c.method = both ? &zs_method_coverage : &zs_method_depthsort;
+        struct picture want = picture_draw(&c, &scene, &camera);
+        c.max_tris = 60;
+        struct picture is = picture_draw(&c, &scene, &camera);
+        assert_int_equal(is.err, ZS_OK);
+        assert_int_equal(want.err, ZS_OK);
+        assert_memory_equal(is.color, want.color, SIDE * SIDE * sizeof is.color[0]);
+        printf("%d bars in a pool of 60: %u walks\n", TRIS, is.stats.passes);
+        assert_true(is.stats.passes <= 200); /* by boxes alone 2,124: each pixel by itself */
+        PICTURES_FREE(&is, &want);
+    }
+}
+
 /* Strips that are not drawn hand their triangles on. */
 static void strips_may_be_skipped(void **state)
 {
@@ -506,6 +539,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(splits_are_counted),
     cmocka_unit_test(shows_the_worst_case),
     cmocka_unit_test(is_halved_where_pixels_take_less),
+    cmocka_unit_test(leaves_out_what_is_beside_a_rectangle),
     cmocka_unit_test(strips_may_be_skipped),
     cmocka_unit_test(only_what_changed_may_be_drawn),
     cmocka_unit_test(small_pools_and_other_mappings_are_refused)

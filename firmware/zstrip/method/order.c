@@ -85,11 +85,12 @@ int zs_order_in_box(const struct zs_renderer *r, uint32_t t, int32_t x0, int32_t
            zs_first_sample(zs_max32(a->x, zs_max32(b->x, c->x))) > x0;
 }
 
-/* Return 1 if it has a sample in the rectangle. */
+/* Return 0 if it has no sample in the rectangle. */
 static int touches(const struct zs_renderer *r, uint32_t t)
 {
     const struct zs_order *o = r->method_state;
-    return zs_order_in_box(r, t, o->x0, o->x1, o->y0, o->y1);
+    return zs_order_in_box(r, t, o->x0, o->x1, o->y0, o->y1) &&
+           !zs_piece_beside(r, t, o->x0, o->x1, o->y0, o->y1);
 }
 
 void zs_order_load(const struct zs_renderer *r, uint32_t t, struct zs_piece *p)

@@ -84,6 +84,20 @@ static void nearer_of(uint32_t p, const struct zs_linear *pp, uint32_t q,
     out->gy = pp->gy - qq->gy;
 }
 
+int zs_piece_beside(const struct zs_renderer *r, uint32_t t, int32_t x0, int32_t x1, int32_t y0,
+                    int32_t y1)
+{
+    const struct zs_vertex *v[3];
+    struct zs_linear edge;
+    corners(r, t, v);
+    for (int k = 0; k < 3; k++) {
+        edge_of(v[k], v[(k + 1) % 3], &edge);
+        if (zs_linear_at(&edge, edge.gx < 0 ? x1 - 1 : x0, edge.gy < 0 ? y1 - 1 : y0) >= 0)
+            return 1;
+    }
+    return 0;
+}
+
 int zs_linear_clip(const struct zs_linear *f, int32_t j, int32_t *i0, int32_t *i1)
 {
     int32_t in = *i0, out = *i1 - 1;

@@ -55,6 +55,10 @@ void zs_piece_lines(const struct zs_renderer *r, uint32_t t, struct zs_piece *p)
 int32_t zs_piece_cuts(const struct zs_renderer *r, uint32_t t, struct zs_linear *line);
 /* The number of half-planes of element t. */
 int32_t zs_piece_depth(const struct zs_renderer *r, uint32_t t);
+/* Return 1 if a triangle's edge has all samples of columns [x0, x1), rows [y0, y1) on its outer
+ * side: the triangle covers none of them. */
+int zs_piece_beside(const struct zs_renderer *r, uint32_t t, int32_t x0, int32_t x1, int32_t y0,
+                    int32_t y1);
 /* Clip columns [*i0, *i1) of row j to those where f < 0. Return 0 if none is left. */
 int zs_linear_clip(const struct zs_linear *f, int32_t j, int32_t *i0, int32_t *i1);
 
