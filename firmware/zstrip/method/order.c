@@ -85,12 +85,11 @@ int zs_order_in_box(const struct zs_renderer *r, uint32_t t, int32_t x0, int32_t
            zs_first_sample(zs_max32(a->x, zs_max32(b->x, c->x))) > x0;
 }
 
-/* Return 0 if it has no sample in the rectangle. */
+/* Return 1 if its box has a sample in the rectangle. */
 static int touches(const struct zs_renderer *r, uint32_t t)
 {
     const struct zs_order *o = r->method_state;
-    return zs_order_in_box(r, t, o->x0, o->x1, o->y0, o->y1) &&
-           !zs_piece_beside(r, t, o->x0, o->x1, o->y0, o->y1);
+    return zs_order_in_box(r, t, o->x0, o->x1, o->y0, o->y1);
 }
 
 void zs_order_load(const struct zs_renderer *r, uint32_t t, struct zs_piece *p)
@@ -301,14 +300,16 @@ uint16_t zs_order_list(struct zs_renderer *r)
 
 /* ---- Bounded memory -------------------------------------------------------------------------- */
 
-/* Remove from the pool what does not touch the rectangle; at a single pixel, all but the nearest.
- */
+/* Remove from the pool what lies beside the rectangle; at a single pixel, all but the nearest. */
 static void sift(struct zs_renderer *r)
 {
     struct zs_order *o = r->method_state;
     const uint32_t only = is_pixel(o) ? pixel_pick(r) : ZS_NIL;
-    for (uint32_t t = 0; t < r->n_tris; t++)
-        r->tri[t].next = t == only || (!is_pixel(o) && touches(r, t)) ? 0 : ZS_NIL;
+    for (uint32_t t = 0; t < r->n_tris; t++) {
+        const int stays = is_pixel(o) ? t == only
+                                      : touches(r, t) && !zs_piece_beside(r, t, o->x0, o->x1, o->y0, o->y1);
+        r->tri[t].next = stays ? 0 : ZS_NIL;
+    }
     o->kept = only != ZS_NIL;
     zs_sort_pack(r);
 }

@@ -326,7 +326,9 @@ static int change(struct prng *p)
     case 6: world.scene.background ^= 1; return 0;
     case 7: world.texel[prng_pick(p, 64)] ^= 0x1111; return 1;
     case 8: stand(p, in); return 0;
-    case 16: world.sky_seed ^= 1; return world.scene.sky != NULL;
+    case 16: /* not while it is away: it may be back in the same frame, and nobody would be told */
+        world.sky_seed ^= world.scene.sky != NULL;
+        return world.scene.sky != NULL;
     case 17: world.scene.sky = world.scene.sky ? NULL : &world.sky; return 0;
     case 9:
     case 10: in->pose.pos[prng_pick(p, 3)] += prng_range(p, -300, 300); return 0;
