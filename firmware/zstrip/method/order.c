@@ -300,16 +300,20 @@ uint16_t zs_order_list(struct zs_renderer *r)
 
 /* ---- Bounded memory -------------------------------------------------------------------------- */
 
+/* Return 0 if a triangle that touches it lies beside the rectangle. */
+static int reaches(const struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_order *o = r->method_state;
+    return !zs_piece_beside(r, t, o->x0, o->x1, o->y0, o->y1);
+}
+
 /* Remove from the pool what lies beside the rectangle; at a single pixel, all but the nearest. */
 static void sift(struct zs_renderer *r)
 {
     struct zs_order *o = r->method_state;
     const uint32_t only = is_pixel(o) ? pixel_pick(r) : ZS_NIL;
-    for (uint32_t t = 0; t < r->n_tris; t++) {
-        const int stays = is_pixel(o) ? t == only
-                                      : touches(r, t) && !zs_piece_beside(r, t, o->x0, o->x1, o->y0, o->y1);
-        r->tri[t].next = stays ? 0 : ZS_NIL;
-    }
+    for (uint32_t t = 0; t < r->n_tris; t++)
+        r->tri[t].next = t == only || (!is_pixel(o) && touches(r, t) && reaches(r, t)) ? 0 : ZS_NIL;
     o->kept = only != ZS_NIL;
     zs_sort_pack(r);
 }
