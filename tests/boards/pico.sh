@@ -393,7 +393,7 @@ if [ -z "$only" ]; then
     grep -E '^(ok|FAILED) ' "$out/cache.txt"
     [ "$(grep -cE '^ok ' "$out/cache.txt")" = 6 ] || failed=1
     [ "$(grep -cE '^ok ' "$out/image.txt")" = 4 ] || failed=1
-    verdict pico_no_float_no_heap "$(arm-none-eabi-nm "$fw/${SCENES%% *}.elf" |
+    verdict pico_no_float_no_heap "$(arm-none-eabi-nm --plugin= "$fw/${SCENES%% *}.elf" |
         grep -oE '__aeabi_[cdf][a-z]*[0-9]?[a-z]*$|(m|c|re)alloc$|_sbrk$' | grep -vE 'clz|ctz' | tr '\n' ' ')"
     turned
     as_asked

@@ -121,7 +121,8 @@ no_dma() {
     cp "$fw/cubes.elf" "$out/no_dma.elf"
     run "$out/no_dma" --until '# the bus did not end in its time
 # the bus did not end in its time'
-    black=$(arm-none-eabi-nm "$out/no_dma.elf" | sed -n 's/^\([0-9a-f]*\) [rt] black\..*/0x\1/p' | sed 's/0x0*/0x/')
+    black=$(arm-none-eabi-nm --plugin= "$out/no_dma.elf" |
+        sed -n 's/^\([0-9a-f]*\) [rt] black\..*/0x\1/p' | sed 's/0x0*/0x/')
     {
         grep '^problem' "$out/no_dma.txt"
         [ "$(grep -c '^text' "$out/no_dma.txt")" = 2 ] || grep '^text' "$out/no_dma.txt"

@@ -15,7 +15,7 @@ CHECKS='zs_damage_compare zs_damage_track track_check track_due zs_raster_leave 
 
 # Names that each object defines: "file name" a line
 names() {
-    ${ARM}nm -A "$dir"/*.o | awk '$2 ~ /[tTrRdD]/ && $3 !~ /^[$.]/ {
+    ${ARM}nm --plugin= -A "$dir"/*.o | awk '$2 ~ /[tTrRdD]/ && $3 !~ /^[$.]/ {
         sub(/\.o:.*/, "", $1); sub(/.*\//, "", $1); print $1, $3 }' >"$dir/names.txt"
 }
 # Names that files of fast/ alone define, FILES by a pattern
@@ -29,7 +29,7 @@ without() {
     name="$c $1 and $2 alone${LIST:+, $LIST}"
     minimal "$dir/main.c" "$1" "$2"
     if link "$c" "$dir" "$dir/main.c" "$dir/part.elf"; then
-        ${ARM}nm "$dir/part.elf" | awk '{ print $NF }' >"$dir/part.txt"
+        ${ARM}nm --plugin= "$dir/part.elf" | awk '{ print $NF }' >"$dir/part.txt"
         names_of "${4:-.*}" >"$dir/fast.txt"
         # shellcheck disable=SC2086
         none "$name" "$(grep -E "$3|^($(echo $CHECKS | tr ' ' '|'))" "$dir/part.txt"
@@ -74,7 +74,7 @@ for c in $CPUS; do
     LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING $OWN"
     echo "$OTHERS $OWN_SHADER" >>"$dir/main.c"
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || bad "$c everything links" "see above"
-    all=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
+    all=$(${ARM}nm --plugin= "$dir/all.elf" | awk '{ print $NF }')
     gone=
     for s in $CHECKS zs_shade_raw zs_shade_flat zs_shade_smooth zs_raw_face zs_flat_face zs_depth_recip \
         zs_depth_linear zs_recip_setup linear_setup linear_planes zs_solid_run zs_pose_turn zs_fast_touch \
@@ -91,9 +91,9 @@ for c in $CPUS; do
     none "$c everything holds every name looked for" "$gone"
     # What core/ needs, core/ has, or the compiler's library: renamed objects are core_NAME.o
     ${ARM}ld -r "$dir"/core_*.o -o "$dir/core.rel" || bad "$c core/ links" "see above"
-    ${ARM}nm -g "$dir"/[!c]*.o 2>/dev/null | awk 'NF == 3 && $2 ~ /[TRD]/ { print $3 }' >"$dir/others.txt"
+    ${ARM}nm --plugin= -g "$dir"/[!c]*.o 2>/dev/null | awk 'NF == 3 && $2 ~ /[TRD]/ { print $3 }' >"$dir/others.txt"
     none "$c core/ needs nothing of other folders" \
-        "$(${ARM}nm -u "$dir/core.rel" | awk '{ print $NF }' | grep -xF -f "$dir/others.txt")"
+        "$(${ARM}nm --plugin= -u "$dir/core.rel" | awk '{ print $NF }' | grep -xF -f "$dir/others.txt")"
     if [ "$(wc -l <"$dir/others.txt")" -ge 50 ]; then ok "$c names of other folders: $(wc -l <"$dir/others.txt")"
     else bad "$c names of other folders" "$(cat "$dir/others.txt")"; fi
 done
@@ -104,7 +104,7 @@ panel_alone() { # TYPE WIDTH HEIGHT OWN
     name="$c $1 alone"
     minimal_panel "$dir/main.c" "$1" "$2" "$3"
     if link "$c" "$dir" "$dir/main.c" "$dir/part.elf"; then
-        none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' | grep -E "^($ALL)\$" |
+        none "$name" "$(${ARM}nm --plugin= "$dir/part.elf" | awk '{ print $NF }' | grep -E "^($ALL)\$" |
             grep -vE "^(panel_$1|$4)\$")"
     else
         bad "$name" "does not link"
@@ -121,7 +121,7 @@ for c in $CPUS; do
     panel_alone ssd1306 128 64 'panel_convert_mono|bayer'
     minimal_panel "$dir/main.c" st7789 240 240 "$ALL_PANELS"
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || bad "$c all panels link" "see above"
-    all=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }' | grep -cE "^($ALL)\$")
+    all=$(${ARM}nm --plugin= "$dir/all.elf" | awk '{ print $NF }' | grep -cE "^($ALL)\$")
     if [ "$all" -eq 13 ]; then ok "$c all panels hold every name looked for"
     else bad "$c all panels hold every name looked for" "$all of 13"; fi
 done

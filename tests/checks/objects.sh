@@ -20,19 +20,19 @@ rules() {
     name=$1 c=$2 dir=$3
     shift 3
     ${ARM}ld -r "$dir"/*.o -o "$dir/all.rel" || bad "$name partial link" "see above"
-    undefined=$(${ARM}nm -u "$dir/all.rel" | awk '{ print $NF }')
+    undefined=$(${ARM}nm --plugin= -u "$dir/all.rel" | awk '{ print $NF }')
     none "$name no soft-float helper" "$(echo "$undefined" | grep -E "$FLOAT")"
     none "$name no allocator" "$(echo "$undefined" | grep -E "$HEAP")"
     none "$name no other undefined symbol" \
         "$(echo "$undefined" | grep -Ev "$ALLOWED" | grep -Ev "$FLOAT" | grep -Ev "$HEAP")"
-    none "$name no writable global" "$(${ARM}nm "$dir/all.rel" | awk '$2 ~ /^[bBdDC]$/ { print $3 }')"
+    none "$name no writable global" "$(${ARM}nm --plugin= "$dir/all.rel" | awk '$2 ~ /^[bBdDC]$/ { print $3 }')"
     if ! link "$c" "$dir" "$dir/main.c" "$dir/all.elf" "$@"; then
         bad "$name links" "see above"
         return
     fi
     none "$name linked: no FPU instruction" "$(${ARM}objdump -d --no-show-raw-insn "$dir/all.elf" |
         awk '/>:$/ { f = $2 } $2 ~ /^(v[a-z]|f(add|sub|mul|div|cpy|ld|st|cmp|to|sito|uito))/ { print f $2 }')"
-    linked=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
+    linked=$(${ARM}nm --plugin= "$dir/all.elf" | awk '{ print $NF }')
     none "$name linked: no soft float" "$(echo "$linked" | grep -E "$FLOAT")"
     none "$name linked: no allocator" "$(echo "$linked" | grep -E "$HEAP")"
 }

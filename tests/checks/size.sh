@@ -148,7 +148,7 @@ echo '#include "zstrip.h"
 char renderer_bytes[sizeof(struct zs_renderer)];' >"$B/probe.c"
 renderer_bytes() { # FLAGS
     ${ARM}gcc -std=c11 -mcpu=cortex-m3 -mthumb "$@" -Ifirmware/zstrip -c "$B/probe.c" -o "$B/probe.o"
-    echo $((0x$(${ARM}nm -S "$B/probe.o" | awk '/renderer_bytes/ { print $2 }')))
+    echo $((0x$(${ARM}nm --plugin= -S "$B/probe.o" | awk '/renderer_bytes/ { print $2 }')))
 }
 cat >"$B/ram.c" <<'END'
 #include "zstrip.h"

@@ -141,7 +141,7 @@ function units_of(dir) {
         const relocations = said_of(objects, /^(.*): +file format /, 'objdump', '-r');
         for (const [object, key] of fresh)
             known.set(key, read_unit(object, debug.get(object), relocations.get(object)));
-        for (const line of run('nm', '-A', ...objects)) {
+        for (const line of run('nm', '--plugin=', '-A', ...objects)) {
             const m = /^(.*?):[0-9a-f]* *([tTwW]) ([^$.]\S*)$/.exec(line);
             if (m)
                 known.get(fresh.get(m[1]))[m[2] === 't' ? 'local_functions' : 'global_functions'].add(m[3]);
@@ -359,7 +359,7 @@ function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
     // FUNCTION -> bytes, of what a program has beside ours
     function measure_helpers(elf) {
         const names = new Map(), own = new Map(), callees = new Map(), address = new Map(), deepest = new Map();
-        for (const line of run('nm', elf)) {
+        for (const line of run('nm', '--plugin=', elf)) {
             const m = /^(\S+) [tTwW] (\S+)$/.exec(line); // __aeabi_idiv and __divsi3 are one place
             if (m)
                 add(names, m[1], m[2]);

@@ -47,7 +47,7 @@ SIZE(zs_texture) SIZE(panel)
 END
     ${ARM}gcc -std=c11 -mcpu="${1:-cortex-m3}" -mthumb -fno-common -Ifirmware/zstrip -Ihal -Ihal/panel \
         -c "$work/structs.c" -o "$work/structs.o" || exit 1
-    ${ARM}nm -S "$work/structs.o" | while read -r at size kind name; do
+    ${ARM}nm --plugin= -S "$work/structs.o" | while read -r at size kind name; do
         echo "${name#size_of_} $((0x$size))"
     done
 }

@@ -35,7 +35,7 @@ frames() { # NAME
 }
 # Names that a program defines, without what the compiler appends to those of parts and copies
 names() { # NM PROGRAM
-    "$1" "$2" | awk 'NF == 3 && $2 ~ /[tTrRdD]/ { sub(/\..*/, "", $3); if ($3 != "") print $3 }' | sort -u
+    "$1" --plugin= "$2" | awk 'NF == 3 && $2 ~ /[tTrRdD]/ { sub(/\..*/, "", $3); if ($3 != "") print $3 }' | sort -u
 }
 none_of_fast() { # NAME NM PROGRAM
     found=$(names "$2" "$3" | grep -xF -f "$out/fast.names" | tr '\n' ' ')

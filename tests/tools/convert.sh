@@ -100,7 +100,7 @@ for_a_cortex_m() { # TO    to/arm.o, if it is not there from the round trip
 # What is printed as flash is what a Cortex-M's linker would take.
 same_flash() { # TO
     for_a_cortex_m "$1"
-    linked=$(arm-none-eabi-nm -S --defined-only "$1/arm.o" |
+    linked=$(arm-none-eabi-nm --plugin= -S --defined-only "$1/arm.o" |
         awk 'function hex(s,  i, n) {
                  for (i = 1; i <= length(s); i++) n = 16 * n + index("123456789abcdef", substr(s, i, 1))
                  return n
