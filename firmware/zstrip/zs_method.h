@@ -100,8 +100,8 @@ extern const struct zs_depth zs_depth_order;
  *         one with more than 256 narrow triangles, and one whose pairs become more than its
  *         triangles times its pixels. The least is a pixel, for which all triangles are tried. So a
  *         strip takes at most pixels * triangles * log2(pixels). Where shaders mix colours and the
- *         pools do not hold the layers of a pixel, each layer of each pixel is a walk over the
- *         scene: give them more.
+ *         pools do not hold the layers of a pixel, each eight layers of each pixel are a walk over
+ *         the scene: give them more.
  *         Scenes of the bench take 1.3 to 8 times the instructions of the depth buffer on a
  *         Cortex-M3; 1,600 slivers 12, a sheet of 20,000 triangles 22 times. */
 extern const struct zs_method zs_method_depthsort;

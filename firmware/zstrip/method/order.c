@@ -3,12 +3,12 @@
  * A rectangle, at first the strip, is brought in order (newell.c) and drawn. If records for pieces
  * run out, if a piece has too many half-planes or if a cycle has no line that splits, the rectangle
  * is halved: columns first, then rows. A single pixel needs no list: its nearest triangle is found
- * by a loop or, if a shader mixes colours, one layer after the other from far to near. Rectangles
- * tile the strip, so that every pixel is drawn in one.
+ * by a loop or, if a shader mixes colours, its layers from far to near, up to eight at a time.
+ * Rectangles tile the strip, so that every pixel is drawn in one.
  *
  * If the triangle pool is full and the band is a single strip, the rectangle is halved too, and
- * triangles beside it leave the pool; later walks find them again. At a single pixel all but the
- * one to draw leave it. So any pool of two triangles will do.
+ * triangles beside it leave the pool; later walks find them again. At a single pixel all but those
+ * to draw leave it, of which there may be one. So any pool of two triangles will do.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -119,14 +119,16 @@ static int before(const struct zs_layer *a, const struct zs_layer *b)
     return a->d != b->d ? a->d < b->d : a->number < b->number;
 }
 
-/* Return the triangle of the pool to draw at the rectangle's only pixel: the nearest or, of layers,
- * the farthest before the limit. ZS_NIL: none. Triangles are met once, in scene order. */
+/* Find the triangles of the pool to draw at the rectangle's only pixel: the nearest or, of layers,
+ * the farthest before the limit, o->most of them. Return their number. Triangles are met once, in
+ * scene order. */
 static ZS_NOINLINE uint32_t pixel_pick(const struct zs_renderer *r)
 {
     struct zs_order *o = r->method_state;
     const int layers = layered(r);
+    const uint32_t most = layers ? o->most : 1;
     struct zs_piece p;
-    uint32_t at = o->kept ? 0 : ZS_NIL;
+    uint32_t n = o->kept;
     for (uint32_t t = o->kept; t < r->n_tris; t++) {
         if (!touches(r, t))
             continue;
@@ -138,12 +140,20 @@ static ZS_NOINLINE uint32_t pixel_pick(const struct zs_renderer *r)
         const struct zs_layer is = { zs_linear_at(&p.plane, o->x0, o->y0), o->met++ };
         if (layers && !before(&is, &o->limit))
             continue;
-        if (at == ZS_NIL || (layers ? before(&o->best, &is) : before(&is, &o->best))) {
-            o->best = is;
-            at = t;
+        uint32_t at = n;
+        while (at > 0 && (layers ? before(&o->best[at - 1], &is) : before(&is, &o->best[at - 1])))
+            at--;
+        if (at == most)
+            continue;
+        n = zs_minu32(n + 1u, most);
+        for (uint32_t k = n - 1u; k > at; k--) {
+            o->best[k] = o->best[k - 1u];
+            o->pick[k] = o->pick[k - 1u];
         }
+        o->best[at] = is;
+        o->pick[at] = (uint16_t)t;
     }
-    return at;
+    return n;
 }
 
 /* ---- The strip ------------------------------------------------------------------------------- */
@@ -220,9 +230,12 @@ static int rectangle_order(struct zs_renderer *r, uint16_t list)
         return 0;
     if (!is_pixel(o))
         return !too_many(r, list) && zs_order_newell(r, list);
-    o->list = (uint16_t)pixel_pick(r);
-    if (o->list != ZS_NIL)
-        r->tri[o->list].next = ZS_NIL;
+    o->kept = pixel_pick(r);
+    o->list = ZS_NIL;
+    for (uint32_t k = o->kept; k-- > 0;) {
+        r->tri[o->pick[k]].next = o->list;
+        o->list = o->pick[k];
+    }
     return 1;
 }
 
@@ -255,9 +268,9 @@ static void go_on(struct zs_renderer *r, int32_t bottom)
 /* Return 1 if the rectangle is a pixel that may have more layers, before those drawn. */
 static int next_layer(const struct zs_renderer *r, struct zs_order *o)
 {
-    if (!is_pixel(o) || o->list == ZS_NIL || !layered(r))
+    if (!is_pixel(o) || o->kept < o->most || !layered(r))
         return 0;
-    o->limit = o->best;
+    o->limit = o->best[o->kept - 1u];
     pixel_begin(o);
     return 1;
 }
@@ -270,6 +283,8 @@ void zs_order_strip(struct zs_renderer *r, struct zs_order *o, uint32_t spare)
     o->x1 = r->window[1];
     o->y0 = top;
     o->y1 = bottom;
+    o->most = zs_minu32(r->config.max_verts / 6u, (r->config.max_tris - spare) / 2u);
+    o->most = zs_maxu32(1, zs_minu32(o->most, ZS_ORDER_LAYERS));
     o->torn = o->partial = 0;
     o->pair_boxes = o->pair_rows = 0;
     rectangle_begin(o);
@@ -307,18 +322,25 @@ static int reaches(const struct zs_renderer *r, uint32_t t)
     return !zs_piece_beside(r, t, o->x0, o->x1, o->y0, o->y1);
 }
 
-/* Remove from the pool what lies beside the rectangle; at a single pixel, all but the nearest. */
+/* Remove from the pool what lies beside the rectangle; at a single pixel, all but the best. */
 static void sift(struct zs_renderer *r)
 {
     struct zs_order *o = r->method_state;
-    const uint32_t only = is_pixel(o) ? pixel_pick(r) : ZS_NIL;
-    for (uint32_t t = 0; t < r->n_tris; t++)
-        r->tri[t].next = t == only || (!is_pixel(o) && touches(r, t) && reaches(r, t)) ? 0 : ZS_NIL;
-    o->kept = only != ZS_NIL;
+    const uint32_t n = is_pixel(o) ? pixel_pick(r) : 0;
+    uint32_t kept = 0;
+    for (uint32_t t = 0; t < r->n_tris; t++) {
+        uint32_t k = 0;
+        while (k < n && o->pick[k] != t)
+            k++;
+        if (k < n)
+            o->pick[k] = (uint16_t)kept++; /* its number in the packed pool, <= t */
+        r->tri[t].next = k < n || (!is_pixel(o) && touches(r, t) && reaches(r, t)) ? 0 : ZS_NIL;
+    }
+    o->kept = n;
     zs_sort_pack(r);
 }
 
-/* Free a quarter of both pools; at a single pixel, all but one triangle. */
+/* Free a quarter of both pools; at a single pixel, half, or all but one triangle. */
 void zs_order_full(struct zs_renderer *r)
 {
     struct zs_order *o = r->method_state;

@@ -16,6 +16,8 @@ struct zs_layer {
     uint32_t number;
 };
 
+#define ZS_ORDER_LAYERS 8 /* most layers of a pixel that a walk finds */
+
 /* A method's state while it draws a strip: r->method_state. NULL between strips. */
 struct zs_order {
     int32_t x0, x1, y0, y1; /* the rectangle in hand: columns and rows of the frame */
@@ -28,15 +30,23 @@ struct zs_order {
     uint32_t *bits;         /* 1: drawn already; rows of the rectangle; NULL: a single pixel */
     int32_t words;          /* words of a row of bits */
     /* A single pixel: */
-    struct zs_layer best, limit; /* layers from `limit` on are drawn */
+    struct zs_layer limit;  /* layers from this one on are drawn */
+    uint32_t most;          /* layers that the pools have room for */
     uint32_t met;           /* triangles that cover it, so far */
-    uint32_t kept;          /* 1: the pool's first triangle has been met already; it is the best */
+    uint32_t kept;          /* so many of `best` are the pool's first triangles, met already */
     uint32_t pair_boxes, pair_rows; /* counted if ZS_STATS is 1, and cleared by who reads them:
                                pairs whose boxes meet, and rows at which two were compared */
     /* Spans: */
     const struct zs_tri *cuts_of; /* line[] are the half-planes of this piece */
     int32_t n_cuts;
-    struct zs_linear line[ZS_PIECE_CUTS];
+    union { /* a pixel has no pieces */
+        struct zs_linear line[ZS_PIECE_CUTS];
+        struct {
+            struct zs_layer best[ZS_ORDER_LAYERS]; /* the farthest before `limit`, from far to
+                                                      near; or best[0], the nearest of all */
+            uint16_t pick[ZS_ORDER_LAYERS];        /* their triangles */
+        };
+    };
 };
 
 /* Check r->config. Return ZS_OK, ZS_ERR_DEPTH or ZS_ERR_SIZE. */
