@@ -428,6 +428,33 @@ static void leaves_out_what_is_beside_a_rectangle(void **state)
     }
 }
 
+/* A hundred layers of glass in a pool of 40: a walk finds several layers of a pixel, and they show what they show where
+ * all have room. */
+static void finds_several_layers_in_a_walk(void **state)
+{
+    static const struct zs_material glass = { .shader = &glass_shader, .cull = ZS_CULL_NONE };
+    const struct zs_instance in = { .mesh = &mesh, .material = &glass };
+    const struct zs_scene layers = { .instance = &in, .n_instances = 1 };
+    const struct zs_camera camera = pixel_camera(8, 0);
+    struct zs_config c = picture_config(8, 8, &zs_depth_order);
+    (void)state;
+    for (uint32_t t = 0; t < TRIS; t++)
+        quad(t, 0, 0, 100 + (int32_t)(t * 37 % TRIS) * 20, 2000);
+    for (uint32_t v = 30; v < 60; v++) /* some as near as each other */
+        pos[v][2] = pos[v % 3][2];
+    mesh_set(TRIS);
+    c.method = &zs_method_depthsort;
+    struct picture want = picture_draw(&c, &layers, &camera);
+    c.max_tris = c.max_verts = 40;
+    struct picture is = picture_draw(&c, &layers, &camera);
+    assert_int_equal(is.err, ZS_OK);
+    assert_int_equal(want.err, ZS_OK);
+    assert_memory_equal(is.color, want.color, 8 * 8 * sizeof is.color[0]);
+    printf("%d layers in a pool of 40: %u walks, of 64 pixels\n", TRIS, is.stats.passes);
+    assert_true(is.stats.passes <= 64 * (TRIS / 6 + 4)); /* one by one: 64 * TRIS and more */
+    PICTURES_FREE(&is, &want);
+}
+
 /* Strips that are not drawn hand their triangles on. */
 static void strips_may_be_skipped(void **state)
 {
@@ -540,6 +567,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(shows_the_worst_case),
     cmocka_unit_test(is_halved_where_pixels_take_less),
     cmocka_unit_test(leaves_out_what_is_beside_a_rectangle),
+    cmocka_unit_test(finds_several_layers_in_a_walk),
     cmocka_unit_test(strips_may_be_skipped),
     cmocka_unit_test(only_what_changed_may_be_drawn),
     cmocka_unit_test(small_pools_and_other_mappings_are_refused)
