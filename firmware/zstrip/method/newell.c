@@ -9,10 +9,12 @@
  *
  * The list has two parts. The first `moved` elements were moved to the head; the rest is sorted. An
  * element is moved at most once, as it leaves the first part only when it is drawn, and records for
- * pieces are limited. So the loop ends. Where many triangles cross it would end late; then halves
- * of the rectangle take less time, the last of which are pixels that ask each triangle once. So an
- * order may ask about as many elements as all pixels of the rectangle would; then it is halved.
- * What a strip takes grows no faster than pixels * triangles * log2(pixels).
+ * pieces are limited. So the loop ends.
+ *
+ * If many triangles cross, that takes long, and halves of the rectangle take less: in the end they
+ * are pixels, each of which looks at each triangle once. So an order may look at triangles * pixels
+ * elements; if it needs more, the rectangle is halved. A strip takes at most
+ * pixels * triangles * log2(pixels).
  *
  * SPDX-License-Identifier: MIT
  */
