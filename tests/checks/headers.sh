@@ -1,8 +1,8 @@
 #!/bin/sh
 # The public headers, all in a file, and a program that uses their macros are clean C99 to C17 and C++11 to C++20 by gcc
-# and clang, and in the oldest of each so is each header alone: what it does not include it lacks in all of them. The
-# library is C11. And such a program, C99 or C++11, links with the C library and draws. One that
-# was compiled with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library is refused by zs_init.
+# and clang. So is each header alone in the oldest and the newest of these dialects: what it says in one between them, it
+# says in one of the two. The library is C11. And such a program, C99 or C++11, links with the C library and draws. One
+# that was compiled with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library is refused by zs_init.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
@@ -193,12 +193,12 @@ for h in $HEADERS; do
 done
 cat "$dir"/only_*.c | tee "$dir/all.c" >"$dir/all.cpp"
 for compiler in gcc clang; do
-    clean $compiler c99 "$C" "$dir"/*.c
-    for std in c11 c17; do clean $compiler $std "$C" "$dir/all.c" "$dir/main.c"; done
+    for std in c99 c17; do clean $compiler $std "$C" "$dir"/*.c; done
+    clean $compiler c11 "$C" "$dir/all.c" "$dir/main.c"
 done
 for compiler in g++ clang++; do
-    clean $compiler c++11 "$CXX" "$dir"/*.cpp
-    for std in c++14 c++17 c++20; do clean $compiler $std "$CXX" "$dir/all.cpp" "$dir/main.cpp"; done
+    for std in c++11 c++20; do clean $compiler $std "$CXX" "$dir"/*.cpp; done
+    for std in c++14 c++17; do clean $compiler $std "$CXX" "$dir/all.cpp" "$dir/main.cpp"; done
 done
 
 # ---- Linked -------------------------------------------------------------------------------------------------------

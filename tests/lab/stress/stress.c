@@ -24,9 +24,7 @@
 #include "zs_damage.h"
 #include "zstrip.h"
 
-/* A case that takes longer hangs. 64 frames of a depth sort whose pool does not hold the layers of one pixel may take
- * minutes: each eight layers of each pixel are a walk. */
-#define CASE_SECONDS 600
+#define CASE_SECONDS 120 /* a case that takes longer hangs */
 #define SAVE_SECONDS 20
 #define FINDINGS_MAX 20  /* then a run ends */
 #define LINES_MAX 200
