@@ -1,8 +1,8 @@
 #!/bin/sh
 # The public headers, all in a file, and a program that uses their macros are clean C99 to C17 and C++11 to C++20 by gcc
-# and clang. So is each header alone in the oldest and the newest of these dialects: what it says in one between them, it
-# says in one of the two. The library is C11. And such a program, C99 or C++11, links with the C library and draws. One
-# that was compiled with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library is refused by zs_init.
+# and clang. So is each header alone in the oldest and the newest of these dialects: what it says in one between them,
+# it says in one of the two. The library is C11. And such a program, C99 or C++11, links with the C library and draws.
+# One that was compiled with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library is refused by zs_init.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
