@@ -20,8 +20,13 @@ done
 mode=$2
 shift 2
 
-object() { # SOURCE: the name of its object
-    echo "${1%.c}.o" | tr / -
+object() { # SOURCE: the name of its object in $object. By the shell alone: there are a thousand
+    object= rest=${1%.c}
+    while [ "$rest" != "${rest#*/}" ]; do
+        object=$object${rest%%/*}-
+        rest=${rest#*/}
+    done
+    object=$object$rest.o
 }
 text() { # SOURCE OPTION...: a checksum of it as the compiler has it
     # shellcheck disable=SC2086
@@ -36,7 +41,8 @@ linked() { # SOURCE.c...
         on && match($1, /\(.*\.o\)$/) { printf "%s ", substr($1, RSTART + 1, RLENGTH - 2) }' "$program.map")
     rm -f "$program.a" "$program.map" "$program.linked"
     for source; do
-        case " $members tests-property-checksum.o " in *" $(object "$source") "*) ;; *) continue ;; esac
+        object "$source"
+        case " $members tests-property-checksum.o " in *" $object "*) ;; *) continue ;; esac
         [ "$(text "$source")" != "$(text "$source" -DZS_NO_FAST=1)" ] && echo "$source 1" || echo "$source 0"
     done
 }
@@ -56,13 +62,14 @@ rm -rf "$program.o"
 mkdir -p "$program.o"
 objects=
 while read -r source again; do
+    object "$source"
     if [ "$again" = 0 ]; then
-        objects="$objects $with.o/$(object "$source")"
+        objects="$objects $with.o/$object"
         continue
     fi
     # shellcheck disable=SC2086
-    $compiler $more -MMD -c "$source" -o "$program.o/$(object "$source")"
-    objects="$objects $program.o/$(object "$source")"
+    $compiler $more -MMD -c "$source" -o "$program.o/$object"
+    objects="$objects $program.o/$object"
 done <<END
 $plan
 END
