@@ -62,7 +62,7 @@ $(foreach at,sim test clang fuzz/clang,$(B)/$(at)/sim/view/window.o): $(VIEW_NOT
 SIM_CC = $(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -DZS_VARYINGS_MAX=8
 SIM_NOTE := $(call note,$(B)/sim/cc,$(SIM_CC))
 $(B)/sim/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
-	@mkdir -p $(@D)
+	$(folder)
 	@$(SIM_CC) $(WERROR) $(DEP) -c $< -o $@
 # Demo scenes are seen from other sides (sim/frame/demo_frame.c), those with effects by this hook
 $(foreach at,sim test clang fuzz/clang,$(B)/$(at)/firmware/scenes/pieces/%.o): INC += -DSTAGE_ORBIT=1

@@ -43,7 +43,7 @@ $(B)/test/tests/lib/picture.o $(B)/test/tests/lib/easel.o $(B)/test/sim/convert/
 # assimp stays the caller of operator new, as what is known of its leaks asks (tests/lib/lsan.txt)
 $(B)/test/sim/load/assimp_buffer.o: TEST_O = -O2
 $(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
-	@mkdir -p $(@D)
+	$(folder)
 	@$(TEST_CC) $(DEP) -c $< -o $@
 $(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(MODEL) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
@@ -56,7 +56,7 @@ $(foreach d,unit property tools,$(eval $(call test_program,$d)))
 # compiled so, the rest is no other (zs_renderer.h gives rows one size)
 NARROW = tests/unit/test_xform.c $(shell grep -lwE 'ZS_ROW_WORDS|zs_rows' $(CORE))
 $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
-	@mkdir -p $(@D)
+	$(folder)
 	@$(TEST_CC) -DZS_ROW_WIDE=0 -DZS_64=0 $(DEP) -c $< -o $@
 $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@

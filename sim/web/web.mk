@@ -33,7 +33,7 @@ $(B)/web/%.o: %.c $(WEB_NOTE) | $(B)/gen/meshes.h $(MESHOPT)/meshoptimizer.h
 	@mkdir -p $(@D)
 	@$(WEB_CC) $(DEP) -c $< -o $@
 $(B)/web/meshes.o: $(B)/gen/made $(WEB_NOTE)
-	@mkdir -p $(@D)
+	$(folder)
 	@$(WEB_CC) -c $(B)/gen/meshes.c -o $@
 # One section for each function and mesh, so that what the page does not call stays out
 $(B)/web/engine.wasm: $(WEB_O) $(MESHOPT_O) $(B)/web/meshes.o

@@ -161,7 +161,7 @@ $(B)/test/tests/lab/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/lab/fuzz -I
 FUZZ_SIM = $(filter-out $(MODEL) sim/cli/main.c,$(SIM)) sim/linux/linux_options.c
 $(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/lab/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
                                             $(call fuzz_objects,drive input replay said) $(B)/libmeshes.a
-	@mkdir -p $(@D)
+	$(folder)
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 $(B)/fuzz/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
@@ -173,7 +173,7 @@ $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: \
 # Of these clang compiles all, in make test, quickly; the core it compiles for checksum-clang-O3
 clang-objects: $(patsubst %.c,$(B)/clang/%.o,$(FUZZ_SIM) $(MODEL) $(SCENES) $(PIECES) $(wildcard tests/lab/fuzz/*.c))
 $(B)/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
-	@mkdir -p $(@D)
+	$(folder)
 	@clang -std=gnu11 -O0 -D_GNU_SOURCE= $(TEST_WARN) $(INC) -Ihal/linux -Isim/linux -Itests/lib -Itests/lab/fuzz \
 	    -DZS_STATS=1 -DZS_VARYINGS_MAX=8 $(DEP) -c $< -o $@
 .PHONY: clang-objects
