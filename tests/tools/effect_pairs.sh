@@ -67,34 +67,36 @@ environment environment --environment sphere.png
 mirror mirror --mirror
 END
 view='--size 64x64 --eye 100,120,220 --at 0,-20,0'
-look_of() { # SHADE: the shading's options
-    case $1 in textured) echo --shade textured --texture fine.png ;; *) echo "--shade $1 --color c08040" ;; esac
+look_of() { # SHADE: the shading's options in $look
+    case $1 in textured) look='--shade textured --texture fine.png' ;; *) look="--shade $1 --color c08040" ;; esac
 }
-option_of() { # NAME    its kind and options in $kind and $option; a loop costs less than a program for each of 500
+# Without a process for each of 500 pairs:
+option_of() { # NAME    its kind and options in $kind and $option
     while read -r named kind option; do
         [ "$named" != "$1" ] || return 0
     done <options.txt
     return 1
 }
-letter() { # the sentence of a refusal, in a letter; two options that do not go together are both named
+letter() { # the sentence of a refusal, in a letter, in $seen; two options that do not go together are both named
     IFS= read -r sentence <stderr
     case $sentence in
-    *'--per-pixel needs --shade smooth or textured'*) echo n ;;
-    *'--filter needs --shade textured, textured-flat or unlit, or an --environment'*) echo f ;;
-    *'colours are dithered with --shade smooth alone; for fewer colours name a grey or one-bit --panel'*) echo d ;;
-    *'--environment needs --shade smooth'*) echo e ;;
-    *'--environment has its lights in its picture: leave --'*' out, or'*) echo L ;;
-    *'--dither and --'*'leave one out, or name a grey or one-bit --panel'*) echo B ;;
-    *) echo '?' ;;
+    *'--per-pixel needs --shade smooth or textured'*) seen=n ;;
+    *'--filter needs --shade textured, textured-flat or unlit, or an --environment'*) seen=f ;;
+    *'colours are dithered with --shade smooth alone; for fewer colours name a grey or one-bit --panel'*) seen=d ;;
+    *'--environment needs --shade smooth'*) seen=e ;;
+    *'--environment has its lights in its picture: leave --'*' out, or'*) seen=L ;;
+    *'--dither and --'*'leave one out, or name a grey or one-bit --panel'*) seen=B ;;
+    *) seen='?' ;;
     esac
 }
 together() { # SHADE NAME NAME: its letter in $seen
     option_of "$2" && first=$option
     option_of "$3" && second=$option
     [ "$2" != "$3" ] || second=
-    # shellcheck disable=SC2046,SC2086
-    z render ball.glb $(look_of "$1") $view $first $second --out "out/$2-$3.png"
-    case $status in 0) seen=+ ;; 1 | 2) seen=$(letter) ;; *) seen='?' ;; esac
+    look_of "$1"
+    # shellcheck disable=SC2086
+    z render ball.glb $look $view $first $second --out "out/$2-$3.png"
+    case $status in 0) seen=+ ;; 1 | 2) letter ;; *) seen='?' ;; esac
     [ "$seen" != '?' ] || wrong "$2 and $3: status $status: $(said)"
 }
 changed() { # NAME NAME: each changes what the other one's picture is
