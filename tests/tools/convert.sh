@@ -118,35 +118,47 @@ sound() { # TO
 # Every pixel of every view: the same triangle, or a reason. What zsim draws is the same without sanitizers; of the file
 # that it converts, the program of that has them.
 same_pixels() { # TO INPUT
-    all=0
-    for view in 0 1 2 3; do
+    all=0 view=0
+    # shellcheck disable=SC2086
+    run "$1/probe" views 0 $place
+    while read -r options; do
         # shellcheck disable=SC2086
-        run "$1/probe" view $view $place
-        # shellcheck disable=SC2086
-        "$build/zsim" render "$2" $seen --out "$1/o.png" --id-out "$1/o.u32" >stdout.render 2>&1 ||
+        "$build/zsim" render "$2" $options --out "$1/o.png" --id-out "$1/$view.u32" >stdout.render 2>&1 ||
             wrong "$(cat stdout.render)"
-        # shellcheck disable=SC2086
-        run "$1/probe" compare $view $place "$1/o.u32" "$1.u32"
-        # shellcheck disable=SC2086
-        above "pixels of view $view" "$(word 1 $seen)" 500
-        # shellcheck disable=SC2086
-        all=$((all + $(word 2 $seen)))
-    done
+        view=$((view + 1))
+    done <<END
+$seen
+END
+    # shellcheck disable=SC2086
+    run "$1/probe" compare 0 $place "$1.u32" "$1/0.u32" "$1/1.u32" "$1/2.u32" "$1/3.u32"
+    is "views" "$view $(echo "$seen" | wc -l)" '4 4'
+    while read -r pixels differ _; do
+        [ "$pixels" -gt 500 ] || wrong "$pixels pixels of a view, not above 500"
+        all=$((all + differ))
+    done <<END
+$seen
+END
     note="$note${note:+, }$all pixels differ, all at edges or equally far"
 }
 # The pictures too, by the model's own shaders and textures, against zsim's of the original.
 same_colours() { # TO INPUT SHADE
-    for view in 0 1 2 3; do
+    view=0
+    # shellcheck disable=SC2086
+    run "$1/probe" views 0 $place
+    options_of_views=$seen
+    while read -r options; do
         # shellcheck disable=SC2086
-        run "$1/probe" view $view $place
-        # shellcheck disable=SC2086
-        "$build/zsim" render "$2" $seen --shade "$3" --light 4,7,7 --background 0a143c --out "$1/o.png" \
+        "$build/zsim" render "$2" $options --shade "$3" --light 4,7,7 --background 0a143c --out "$1/o.png" \
             >stdout.render 2>&1 || wrong "$(cat stdout.render)"
         "$1/probe" draw $view >"$1/o.ppm" || wrong "$1/probe draw $view"
         run ./make psnr "$1/o.png" "$1/o.ppm"
         above "PSNR of view $view" "$seen" 42
         note="$note, $seen dB"
-    done
+        view=$((view + 1))
+    done <<END
+$options_of_views
+END
+    is "views" $view 4
 }
 same_places() { # TO FILE.obj STEP-SHARE    coordinates to half a step, or a share of it
     # shellcheck disable=SC2086

@@ -1,8 +1,8 @@
 /* A program around a converted model, NAME m: is it sound, and is it the model that it was made of?
  *
  *     probe check                 zs_mesh_check, zs_texture_check, spheres again by another sum
- *     probe view N PLACE          the camera of view N as options of zsim render
- *     probe compare N PLACE IDS MAP  draw view N, compare triangle numbers with zsim's
+ *     probe views 0 PLACE         the cameras of all views as options of zsim render, a line each
+ *     probe compare 0 PLACE MAP IDS...  draw each view, compare triangle numbers with zsim's of it
  *     probe places 0 PLACE FILE.obj MAP  how far corners are from where the file has them
  *     probe draw N                view N with the model's own shaders, PPM
  *
@@ -412,14 +412,15 @@ static uint32_t *turn_round(const uint32_t *map, size_t n, uint32_t *most)
     return of;
 }
 
-static void compare(int n, const double place[5], const char *ids_file, const char *map_file)
+/* map, of: of the file's triangles and back; most: the last one of `of` */
+static void compare(int n, const double place[5], const uint32_t *map, const uint32_t *of, uint32_t most,
+                    const char *ids_file)
 {
     static uint32_t id[H][W];
     struct zs_camera camera;
-    size_t n_ids, n_map;
-    uint32_t most, drawn = 0, differ = 0, by_depth = 0;
-    uint32_t *was = load(ids_file, &n_ids), *map = load(map_file, &n_map);
-    uint32_t *of = turn_round(map, n_map, &most);
+    size_t n_ids;
+    uint32_t drawn = 0, differ = 0, by_depth = 0;
+    uint32_t *was = load(ids_file, &n_ids);
     const double off = place[3] * place[4] * 0.8661 *
                        (m_mesh[0].pos_lo ? 1.0 / 256.0 : 1.0); /* half a cube's diagonal */
     if (n_ids != W * H)
@@ -458,6 +459,14 @@ static void compare(int n, const double place[5], const char *ids_file, const ch
     }
     printf("%u %u %u\n", drawn, differ, by_depth);
     free(was);
+}
+
+static void compare_all(const double place[5], const char *map_file, char **ids_files)
+{
+    size_t n_map;
+    uint32_t most, *map = load(map_file, &n_map), *of = turn_round(map, n_map, &most);
+    for (int n = 0; n < N_VIEWS; n++)
+        compare(n, place, map, of, most, ids_files[n]);
     free(map);
     free(of);
 }
@@ -568,10 +577,11 @@ int main(int argc, char **argv)
         wrong("no view %d", n);
     if (strcmp(what, "check") == 0)
         check();
-    else if (strcmp(what, "view") == 0 && argc == 8)
-        print_view(n, place);
-    else if (strcmp(what, "compare") == 0 && argc == 10)
-        compare(n, place, argv[8], argv[9]);
+    else if (strcmp(what, "views") == 0 && argc == 8)
+        for (int k = 0; k < N_VIEWS; k++)
+            print_view(k, place);
+    else if (strcmp(what, "compare") == 0 && argc == 9 + N_VIEWS)
+        compare_all(place, argv[8], argv + 9);
     else if (strcmp(what, "places") == 0 && argc == 10)
         places(place, argv[8], argv[9]);
     else if (strcmp(what, "draw") == 0 && argc == 3)
