@@ -1,15 +1,16 @@
 #!/bin/sh
-# Run every test that `make test` has built, two parts at a time: a line each with its seconds and its tests, what was
-# skipped, which parts took longest, and at the end "N passed, N failed".
+# Run every test that `make test` has built, two or three parts at a time: a line each with its seconds and its tests,
+# what was skipped, which parts took longest, and at the end "N passed, N failed".
 # Usage: tests/run.sh BUILD [PATTERN]           only the parts whose name holds PATTERN
 #        tests/run.sh BUILD '' names            what there is
 #        tests/run.sh BUILD '' record           tests/parts.txt with the seconds of the last whole run, on standard
 #                                               output
-#        tests/run.sh BUILD PATTERN lane LANE   one of the two workers: of use to this script alone
+#        tests/run.sh BUILD PATTERN lane LANE   one of the three workers: of use to this script alone
 #
 # tests/parts.txt lists the parts. The longest is started first, unless it waits for another or uses what one that runs
 # uses. Of those that start many processes (`starts`) the first worker takes all that it can, and the second the others:
-# two of them at once wait for each other in the kernel. Seconds are of CPU, user and system.
+# two of them at once wait for each other in the kernel. A third worker takes those that sleep much of their time
+# (`sleeps`). Seconds are of CPU, user and system.
 #
 # SPDX-License-Identifier: MIT
 set -u
@@ -28,15 +29,16 @@ export WERROR DEBUG
 
 # Name, seconds, uses and after of every part of this run, the longest first
 list() {
-    {
-        grep -v '^#' $parts
-        for program in tests/*/test_*.c test_raster_narrow.c test_texture_narrow.c test_xform_narrow.c; do
-            name=$(basename "$program" .c) # those that have no line yet
-            grep -q "^$name " $parts || echo "$name - - -"
-        done
-    } | while read -r name seconds uses after _; do
-        case $name in *"$only"*) echo "$name $seconds ${uses:--} ${after:--}" ;; esac
-    done | sort -k 2,2rn
+    printf '%s\n' tests/*/test_*.c test_raster_narrow.c test_texture_narrow.c test_xform_narrow.c |
+        awk -v only="$only" '
+            FILENAME != "-" { # what has a line
+                if ($0 !~ /^#/) { listed[$1] = 1; if (index($1, only)) print $1, $2, $3, $4 }
+                next
+            }
+            { # the programs that have none yet
+                sub(/.*\//, ""); sub(/\.c$/, "")
+                if (!($0 in listed) && index($0, only)) print $0 " - - -"
+            }' $parts - | sort -k 2,2rn
 }
 
 # The command of a part: the rest of its line, or the program of its name
@@ -72,6 +74,12 @@ run() { # NAME
     ) 9>"$logs/lock"
 }
 
+nobody_at_work() { # a worker's file holds its process while it runs a part or looks for one
+    for lane in 1 2 3; do
+        [ ! -s "$logs/lane.$lane" ] || ! kill -0 "$(cat "$logs/lane.$lane")" 2>/dev/null || return 1
+    done
+}
+
 # What is to be run next; - where all that is left waits for something that runs; nothing at the end
 next() { # LANE
     (
@@ -80,11 +88,11 @@ next() { # LANE
             function free(uses, n, use, i) {
                 n = split(uses, use, ",")
                 for (i = 1; i <= n; i++)
-                    if (use[i] != "-" && use[i] != "starts" && use[i] in used) return 0
+                    if (use[i] !~ /^(-|starts|sleeps)$/ && use[i] in used) return 0
                 return 1
             }
-            function mine(name) {
-                return (("," uses[name] ",") ~ /,starts,/) == (lane == 1)
+            function mine(name) { # the lane whose it is
+                return uses[name] ~ /(^|,)sleeps(,|$)/ ? 3 : uses[name] ~ /(^|,)starts(,|$)/ ? 1 : 2
             }
             function ready(after, n, name, i) {
                 n = split(after, name, ",")
@@ -103,7 +111,7 @@ next() { # LANE
                 }
                 for (i = 1; i <= 2 * n; i++) { # its own first, then any
                     name = order[i > n ? i - n : i]
-                    if (name in started || (i <= n && !mine(name))) continue
+                    if (name in started || (i <= n || lane == 3) && mine(name) != lane) continue
                     if (free(uses[name]) && ready(after[name])) { print name; print name >>begun; exit }
                     left++
                 }
@@ -118,15 +126,20 @@ names)
     exit ;;
 lane)
     echo $$ >"$logs/lane.$4"
+    waits=0
     while name=$(next "$4") && [ -n "$name" ]; do
         if [ "$name" != - ]; then
+            waits=0
             run "$name"
-        elif [ -s "$logs/lane.$((3 - $4))" ] && ! kill -0 "$(cat "$logs/lane.$((3 - $4))")" 2>/dev/null; then
-            exit # the other was ended by force: what waits for its part would wait for ever
-        else
-            sleep 0.2
+            continue
         fi
+        : >"$logs/lane.$4"
+        ! nobody_at_work || waits=$((waits + 1))
+        [ $waits -lt 10 ] || exit # who had the part that is waited for was ended by force
+        sleep 0.2
+        echo $$ >"$logs/lane.$4"
     done
+    : >"$logs/lane.$4"
     exit ;;
 record)
     awk 'FILENAME != "'$parts'" { seconds[$1] = $5; next }
@@ -148,19 +161,22 @@ if [ -z "$queue" ]; then
 fi
 mkdir -p "$logs"
 echo "$queue" >"$logs/queue"
-for file in counts begun skipped.txt lane.1 lane.2; do : >"$logs/$file"; done
+for file in counts begun skipped.txt lane.1 lane.2 lane.3; do : >"$logs/$file"; done
 begun=$(date +%s)
 # In groups of their own, so that they end with this one, whatever they are at.
 setsid sh tests/run.sh "$build" "$only" lane 1 &
 lane_1=$!
 setsid sh tests/run.sh "$build" "$only" lane 2 &
 lane_2=$!
-end_both() {
+setsid sh tests/run.sh "$build" "$only" lane 3 &
+lane_3=$!
+end_all() {
     kill -TERM "-$lane_1" 2>/dev/null
     kill -TERM "-$lane_2" 2>/dev/null
+    kill -TERM "-$lane_3" 2>/dev/null
     wait
 }
-trap 'trap "" PIPE; end_both; exit 1' HUP INT PIPE TERM
+trap 'trap "" PIPE; end_all; exit 1' HUP INT PIPE TERM
 wait
 
 # Seconds, and shares scaled by what this machine took for all of it: part, passed, failed, seconds, of CPU, share
