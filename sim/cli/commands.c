@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "kept.h"
 #include "sim.h"
 
 static void help(const struct sim_command *commands, size_t n)
@@ -19,6 +20,7 @@ static void help(const struct sim_command *commands, size_t n)
 
 int sim_commands_run(const struct sim_command *commands, size_t n, int argc, char **argv)
 {
+    sim_keep_freed();
     if (argc < 2)
         return sim_usage("a command is missing");
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {

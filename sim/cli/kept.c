@@ -6,6 +6,10 @@
 #include <pthread.h>
 #include <stdint.h>
 #include <stdlib.h>
+#ifdef __GLIBC__
+#include <limits.h>
+#include <malloc.h>
+#endif
 
 #if defined __has_feature /* clang's */
 #if __has_feature(address_sanitizer)
@@ -92,4 +96,12 @@ void sim_kept_end(void *block)
     (void)pthread_mutex_unlock(&lock);
     if (of == NULL)
         free(block);
+}
+
+void sim_keep_freed(void)
+{
+#ifdef __GLIBC__
+    (void)mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    (void)mallopt(M_TRIM_THRESHOLD, INT_MAX);
+#endif
 }
