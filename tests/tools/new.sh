@@ -1,6 +1,7 @@
 #!/bin/sh
 # `zsim new`: projects that build, draw and pass their own test, away from this tree; bad input leaves nothing behind.
 # Usage: tests/tools/new.sh ZSIM WORK BUILD     from the repository's top; BUILD/pico has the emulator, if it was set up
+. tests/lib/cmake.sh
 . tests/tools/zsim.sh
 case $3 in /*) build=$3 ;; *) build=$top/$3 ;; esac
 
@@ -57,6 +58,14 @@ project() { # DIR ARGUMENTS...
     last=" make -C $*"
     make --no-print-directory -C "$@" WERROR=-Werror >made.txt 2>&1
 }
+# What another project has compiled for a board is taken for this one's, where both have the same sources. Make compiles
+# what is not among it, or all of it where DEFINES are others.
+shares() { # DIR FROM BOARD
+    diff -rq --exclude=emulator "$2/zstrip" "$1/zstrip" >words || { wrong "$(head -1 words)"; return; }
+    mkdir -p "$1/build/fw/$3"
+    (cd "$2/build/fw/$3" && cp -a firmware hal defines "$work/$1/build/fw/$3/")
+    find "$1/build/fw/$3" -name '*.o' -exec touch {} + # its sources are newer
+}
 for board in pico stm32f405 lm3s6965 host linux; do
     begin "new_$board"
     z new --shade flat box.obj --board=$board --out "$board"
@@ -65,6 +74,7 @@ for board in pico stm32f405 lm3s6965 host linux; do
     code=$(gcc -fpreprocessed -dD -E -P -x c "$board/main.c" | grep -c .)
     [ "$code" -le 40 ] || wrong "main.c has $code lines without comments and blank ones, more than 40"
     grep -rlE '@[A-Z_]+@' $board --include='*' --exclude-dir=zstrip >words && wrong "words are left: $(cat words)"
+    [ $board = pico ] || shares $board pico host
     [ $board = host ] || project $board image || wrong "$(tail -3 made.txt)"
     if [ $board = linux ]; then # here is no panel: it says what is not there
         ./linux/build/fw/linux/linux.elf >made.txt 2>&1 && wrong 'it found a panel'
@@ -88,12 +98,15 @@ END
 begin new_of_materials
 z new panes.obj --out panes
 [ "$status" = 0 ] || wrong "$(said)"
-for board in pico host; do
-    project panes image BOARD=$board || wrong "$board: $(tail -3 made.txt)"
-done
+shares panes pico pico
+shares panes pico host
+project panes image || wrong "pico: $(tail -3 made.txt)"
 project panes test BOARD=host || wrong "$(tail -3 made.txt)"
+project panes image BOARD=host DEFINES=-DFRAMES=3 || wrong "host: $(tail -3 made.txt)" # as its test has compiled it
 sed -i 's/^d 0.4$/d 1/' panes.mtl
 z new panes.obj --out opaque
+shares opaque panes pico
+shares opaque panes host
 project opaque test BOARD=host || wrong "$(tail -3 made.txt)"
 cmp -s panes/build/host/test_1.bin opaque/build/host/test_1.bin && wrong 'glass is as opaque as what is not'
 
@@ -108,11 +121,12 @@ z new wet.obj --out wet
 grep -q zs_shade_texture_gloss wet/model.c || wrong 'no highlights'
 project wet image BOARD=pico || wrong "$(tail -3 made.txt)"
 project wet test BOARD=host || wrong "$(tail -3 made.txt)"
-{ cmake -S wet -B wet/cmake && cmake --build wet/cmake -j2; } >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
+{ configured wet wet/cmake && cmake --build wet/cmake -j2; } >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
 HAL_STREAM=cmake.stream ./wet/cmake/wet >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
 cmp -s cmake.stream wet/build/host/stream && wrong 'three frames are 48'
 sed -i '/^Ks/d' wet.mtl
 z new wet.obj --out dry
+shares dry panes host
 project dry test BOARD=host || wrong "$(tail -3 made.txt)"
 cmp -s wet/build/host/test_1.bin dry/build/host/test_1.bin && wrong 'it shines no more than without'
 
@@ -140,7 +154,7 @@ project host test && wrong 'the test of an empty picture passes'
 grep -q '^FAILED host_picture_has_colours' made.txt || wrong "$(tail -3 made.txt)"
 
 begin new_builds_by_cmake
-{ cmake -S pico -B pico/cmake && cmake --build pico/cmake -j2; } >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
+{ configured pico pico/cmake && cmake --build pico/cmake -j2; } >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
 HAL_STREAM=cmake.stream ./pico/cmake/pico >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
 cmp -s cmake.stream pico/build/host/stream && wrong 'three frames are 48'
 [ "$(wc -c <cmake.stream)" -gt 10000000 ] || wrong 'no pictures came'
