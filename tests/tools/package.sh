@@ -7,6 +7,7 @@ set -u
 build=$1
 top=$PWD
 work=$build/test/package
+. tests/lib/cmake.sh
 . tests/lib/ok.sh
 rm -rf "$work"
 mkdir -p "$work"
@@ -25,7 +26,20 @@ zs=$work/zstrip-$version
 grep -rlF "$top" "$zs" >paths.txt
 verdict package_names_no_path_of_this_machine paths.txt
 CC="gcc -std=c11 -O1 -Wall -Wextra -Werror"
-quiet=-DCMAKE_RULE_MESSAGES=OFF # a line for each object is a process for each
+CXX="g++ -std=gnu++11 -Wall -Wextra -Werror"
+compiled() { # OPTION... -- SOURCE...: their objects, $made; a file a call is what ccache keeps
+    options= made=
+    while [ "$1" != -- ]; do options="$options $1" && shift; done
+    shift
+    for source; do
+        object=${source##*/}
+        object=${object%.*}.o made="$made ${object%.*}.o"
+        case $source in
+        *.c) $CC $options -MMD -c "$source" -o "$object" || return ;;
+        *) $CXX $options -MMD -c "$source" -o "$object" || return ;;
+        esac
+    done
+}
 
 # ---- CMake -------------------------------------------------------------------------------------------------------
 consumer() { # FOLDER, the lines that find zstrip
@@ -42,7 +56,7 @@ cp -r "$here/stubs" .
 built() { # NAME FOLDER CMAKE-OPTIONS...    and draws
     of=$1 folder=$2
     shift 2
-    { cmake -S "$folder" -B "$folder/build" $quiet "$@" && cmake --build "$folder/build" -j2 &&
+    { configured "$folder" "$folder/build" "$@" && cmake --build "$folder/build" -j2 --target consumer &&
         "$folder/build/consumer" "$folder/got.bin" && cmp want.bin "$folder/got.bin"; } >"$folder.log" 2>&1 &&
         : >"$folder.log"
     verdict "$of" "$folder.log"
@@ -50,7 +64,7 @@ built() { # NAME FOLDER CMAKE-OPTIONS...    and draws
 consumer added <<END
 add_subdirectory("$zs" zstrip)
 END
-cmake -S added -B added/build $quiet >added.log 2>&1 && cmake --build added/build -j2 >>added.log 2>&1 &&
+configured added added/build >added.log 2>&1 && cmake --build added/build -j2 >>added.log 2>&1 &&
     added/build/consumer want.bin && : >added.log
 verdict package_cmake_add_subdirectory added.log
 [ "$(od -An -v -tx2 -w2 want.bin | sort -u | wc -l)" -ge 3 ] || bad package_picture 'no cube can be seen'
@@ -61,7 +75,7 @@ FetchContent_Declare(zstrip URL "$work/zstrip-$version.tar.gz" SOURCE_DIR "$zs")
 FetchContent_MakeAvailable(zstrip)
 END
 built package_cmake_fetchcontent fetched
-{ cmake -S "$zs" -B installing $quiet -DCMAKE_INSTALL_PREFIX="$work/root" -DZSTRIP_VARYINGS_MAX=8 &&
+{ configured "$zs" installing -DCMAKE_INSTALL_PREFIX="$work/root" -DZSTRIP_VARYINGS_MAX=8 &&
     cmake --build installing -j2 && cmake --install installing; } >install.log 2>&1 && : >install.log
 verdict package_cmake_installs install.log
 mv root moved
@@ -72,7 +86,7 @@ built package_cmake_find_package found -DCMAKE_PREFIX_PATH="$work/moved"
 consumer newer <<'END'
 find_package(zstrip 1.0 REQUIRED)
 END
-cmake -S newer -B newer/build -DCMAKE_PREFIX_PATH="$work/moved" >newer.log 2>&1 &&
+configured newer newer/build -DCMAKE_PREFIX_PATH="$work/moved" >newer.log 2>&1 &&
     bad package_cmake_refuses_another_version 'it was taken' || ok package_cmake_refuses_another_version
 
 # ---- pkg-config, Debian ------------------------------------------------------------------------------------------
@@ -80,15 +94,16 @@ by_pkg_config() { # NAME FOLDER-OF-PC-FILES OPTION...
     of=$1 at=$2
     shift 2
     PKG_CONFIG_PATH=$at pkg-config "$@" --cflags --libs zstrip >flags.txt 2>&1 &&
-        $CC -I. -Istubs run_none.c spinning_cube.c stub.c $(cat flags.txt) -o by_pkg >pkg.log 2>&1 &&
+        { compiled -I. -Istubs $(cat flags.txt) -- run_none.c spinning_cube.c stub.c &&
+            $CC $made $(cat flags.txt) -o by_pkg; } >pkg.log 2>&1 &&
         ./by_pkg got.bin &&
         cmp want.bin got.bin >pkg.log 2>&1 && : >pkg.log || cat flags.txt >>pkg.log
     verdict "$of" pkg.log
 }
 by_pkg_config package_pkg_config "$(find "$work/moved" -name pkgconfig)" --define-prefix
 # what a program was compiled for is the library's: 8 here
-$CC -I. -Istubs -Imoved/include/zstrip run_none.c spinning_cube.c stub.c -Lmoved/lib* \
-    "$(find moved -name libzstrip.a)" -o other 2>other.log && ./other got.bin &&
+{ compiled -I. -Istubs -Imoved/include/zstrip -- run_none.c spinning_cube.c stub.c &&
+    $CC $made "$(find moved -name libzstrip.a)" -o other; } 2>other.log && ./other got.bin &&
     bad package_refuses_other_varyings 'a library for 8 values took a program for 3' ||
     ok package_refuses_other_varyings
 deb=$(echo libzstrip-dev_*.deb)
@@ -114,19 +129,21 @@ lintian --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog "$de
 verdict package_lintian lintian.log
 
 # ---- Over stubs --------------------------------------------------------------------------------------------------
+src=zstrip-$version/src
 for sketch in "$zs"/examples/*/*.ino; do
     of=$(basename "$sketch" .ino)
     cp "$sketch" sketch.cpp
-    { g++ -std=gnu++11 -Wall -Wextra -Werror -Istubs -I"$zs/src" -I"${sketch%/*}" -include Arduino.h sketch.cpp \
-        "$here/run_arduino.cpp" -c && gcc -std=c11 -Istubs -I"$zs/src" -c stub.c "${sketch%/*}/spinning_cube.c" &&
+    { compiled -Istubs "-I$src" "-I$src/../examples/$of" -include Arduino.h -- sketch.cpp "$here/run_arduino.cpp" &&
+        compiled -Istubs "-I$src" -- stub.c "${sketch%/*}/spinning_cube.c" &&
         g++ sketch.o run_arduino.o stub.o spinning_cube.o "$lib" -o sketch && ./sketch got.bin &&
         cmp want.bin got.bin; } >sketch.log 2>&1 && : >sketch.log
     verdict "package_arduino_$of" sketch.log
     [ "$(wc -l <"$sketch")" -le 60 ] || bad "package_arduino_$of" 'longer than 60 lines'
 done
+compiled -Istubs -I. "-I$src" -- spinning_cube.c stub.c
 for sink in stm32cube pico_sdk esp_idf zephyr lvgl; do
-    { $CC -Istubs -I. -I"$zs/src" -I"$zs/hal" -I"$zs/hal/panel" "$here/run_$sink.c" "$zs/sinks/$sink.c" \
-        spinning_cube.c stub.c "$panel" "$lib" -o sink && ./sink got.bin &&
+    { compiled -Istubs -I. "-I$src" "-I$src/../hal" "-I$src/../hal/panel" -- "$here/run_$sink.c" "$zs/sinks/$sink.c" &&
+        $CC $made spinning_cube.o stub.o "$panel" "$lib" -o sink && ./sink got.bin &&
         cmp want.bin got.bin; } >sink.log 2>&1 && : >sink.log
     verdict "package_sink_$sink" sink.log
 done
