@@ -81,9 +81,12 @@ compile() {
             for src in "$from"/*.c "$from"/*/*.c; do
                 [ -e "$src" ] || continue
                 case "$src $*" in */fast/*ZS_NO_FAST=1*) continue ;; esac
+                name=${src#"$from"/}
+                name=${name%.c}
+                case $name in */*) name=${name%/*}_${name#*/} ;; esac
                 # shellcheck disable=SC2086
                 measured -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" -Ifirmware/zstrip \
-                    -c "$src" -o "$kept/$(echo "${src%.c}" | sed "s|^$from/||; s|/|_|g").o" || exit 1
+                    -c "$src" -o "$kept/$name.o" || exit 1
             done
             mv "$kept/begun" "$kept/made"
         fi
@@ -198,14 +201,20 @@ ALL_PANELS='struct panel_config other = config;
         panel_wake(&panel) + panel_strerror(anything)[0] + panel_name(other.type)[0] + panel_grain(&other).x +
         panel_width(&panel) + panel_height(&panel) + (int)panel_format(other.type);'
 
-# CPU OBJECTS_DIR MAIN.c OUT.elf [FLAGS...]: link as a board would, unused sections dropped.
+# CPU OBJECTS_DIR MAIN.c OUT.elf [FLAGS...]: link as a board would, unused sections dropped. MAIN.c becomes an object by
+# a call of its own, which ccache keeps, and beside the folder: it is not one of the folder's.
 link() {
     cpu=$1 dir=$2 main=$3 out=$4
     shift 4
+    flags_of_main=
+    for flag in "$@"; do
+        case $flag in -Wl,*) ;; *) flags_of_main="$flags_of_main $flag" ;; esac
+    done
     # shellcheck disable=SC2086
-    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel "$main" "$dir"/*.o \
-        -nostartfiles \
-        -Wl,--gc-sections,-e,main "$@" -o "$out"
+    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel $flags_of_main -MMD \
+        -c "$main" -o "$dir.${out##*/}.o" &&
+        ${ARM}gcc -mcpu="$cpu" -mthumb $OPT "$dir.${out##*/}.o" "$dir"/*.o -nostartfiles -Wl,--gc-sections,-e,main "$@" \
+            -o "$out"
 }
 
 # MAP PATTERN: bytes that the link took from objects whose path matches, by the linker's map.
