@@ -172,24 +172,41 @@ END
 first_error() {
     grep -m1 -E 'error|undefined' "$B/headers.txt" || head -n 1 "$B/headers.txt"
 }
-# COMPILER STD FLAGS FILE...: each file by itself; the compiler takes them all at once
+# COMPILER STD FLAGS FILE...: each file by itself, to an object, which ccache keeps (tests/lib/ccache.sh); with
+# ZS_NO_FAST=1, too, where a header that the compiler has read for it asks for that
+asks=$(grep -lw ZS_NO_FAST firmware/zstrip/*.h firmware/zstrip/*/*.h | grep -v '/zs_config\.h$') # defines it, otherwise
+asked() {
+    while read -r line; do
+        for header in $asks; do
+            case $line in *"$header"*) return 0 ;; esac
+        done
+    done <"$dir/clean.d"
+    return 1
+}
 clean() {
-    compiler=$1 std=$2 flags=$3
+    compiler=$1 std=$2 flags=$3 n=0
     shift 3
-    for none in 0 1; do
-        # shellcheck disable=SC2086
-        $compiler -std=$std $flags -DZS_NO_FAST=$none $INC -fsyntax-only "$@" 2>"$B/headers.txt" || {
-            bad "headers as $std by $compiler, ZS_NO_FAST=$none" "$(first_error)"
-            return
-        }
+    for file in "$@"; do
+        for none in 0 1; do
+            [ $none = 0 ] || asked || continue
+            # shellcheck disable=SC2086
+            $compiler -std=$std $flags -DZS_NO_FAST=$none $INC -MMD -c "$file" -o "$dir/clean.o" \
+                2>"$B/headers.txt" || {
+                bad "headers as $std by $compiler, ZS_NO_FAST=$none" "$(first_error)"
+                return
+            }
+            n=$((n + none))
+        done
     done
-    ok "headers as $std by $compiler"
+    if [ $n -gt 0 ]; then ok "headers as $std by $compiler"
+    else bad "headers as $std by $compiler" "none asks for ZS_NO_FAST"; fi
 }
 for h in $HEADERS; do
-    name=$(basename "$h")
+    name=${h##*/}
     # twice, and a declaration, because zs_config.h has none and C asks for one
-    printf '#include "%s"\n' "$name" "$name" | sed '$a extern int declared;' |
-        tee "$dir/only_${name%.h}.c" >"$dir/only_${name%.h}.cpp"
+    for to in c cpp; do
+        printf '#include "%s"\n#include "%s"\nextern int declared;\n' "$name" "$name" >"$dir/only_${name%.h}.$to"
+    done
 done
 cat "$dir"/only_*.c | tee "$dir/all.c" >"$dir/all.cpp"
 for compiler in gcc clang; do
@@ -207,7 +224,8 @@ done
 ends() {
     name=$1 want=$2
     shift 2
-    if "$@" -Ifirmware/zstrip "$top/libcore.a" -o "$dir/main" 2>"$B/headers.txt"; then
+    if "$@" -Ifirmware/zstrip -MMD -o "$dir/main.o" 2>"$B/headers.txt" &&
+        "$1" "$dir/main.o" "$top/libcore.a" -o "$dir/main" 2>"$B/headers.txt"; then
         "$dir/main"
         status=$?
         if [ $status = "$want" ]; then ok "$name"; else bad "$name" "exit $status, not $want"; fi
@@ -215,12 +233,12 @@ ends() {
         bad "$name program links" "$(first_error)"
     fi
 }
-ends "C99 program draws" 0 gcc -std=c99 "$dir/main.c"
-ends "C++11 program draws" 0 g++ -std=c++11 "$dir/main.cpp"
+ends "C99 program draws" 0 gcc -std=c99 -c "$dir/main.c"
+ends "C++11 program draws" 0 g++ -std=c++11 -c "$dir/main.cpp"
 # ZS_ERR_BUILD
-ends "C99 program with fewer varyings than the library is refused" 7 gcc -std=c99 -DZS_VARYINGS_MAX=2 "$dir/main.c"
-ends "C++11 program with more varyings than the library is refused" 7 g++ -std=c++11 -DZS_VARYINGS_MAX=8 "$dir/main.cpp"
-ends "C99 program with larger frames than the library is refused" 7 gcc -std=c99 -DZS_SIZE_MAX=8000 "$dir/main.c"
+ends "C99 program with fewer varyings than the library is refused" 7 gcc -std=c99 -DZS_VARYINGS_MAX=2 -c "$dir/main.c"
+ends "C++11 program with more varyings than the library is refused" 7 g++ -std=c++11 -DZS_VARYINGS_MAX=8 -c "$dir/main.cpp"
+ends "C99 program with larger frames than the library is refused" 7 gcc -std=c99 -DZS_SIZE_MAX=8000 -c "$dir/main.c"
 
 # ZS_DEGREES of a variable would be floating point at run time
 printf '#include "zstrip.h"\nzs_turn turn(int x);\nzs_turn turn(int x)\n{\n    return ZS_DEGREES(x);\n}\n' \
@@ -230,7 +248,7 @@ for compiler in gcc clang g++ clang++; do
     flags='-O2 -Wpedantic -Werror'
     case $compiler in *++) flags="$flags -x c++ -std=c++11" ;; *) flags="$flags -std=c99" ;; esac
     # shellcheck disable=SC2086
-    if $compiler $flags -Ifirmware/zstrip -c "$dir/fixed.c" -o /dev/null 2>"$B/headers.txt" &&
+    if $compiler $flags -Ifirmware/zstrip -MMD -c "$dir/fixed.c" -o "$dir/fixed.o" 2>"$B/headers.txt" &&
         ! $compiler $flags -Ifirmware/zstrip -c "$dir/variable.c" -o /dev/null 2>"$B/headers.txt"; then
         ok "ZS_DEGREES takes constants alone, $compiler"
     else
@@ -243,7 +261,7 @@ printf '#include "zstrip.h"\nvoid near_0(struct zs_camera *c);\nvoid near_0(stru
     'zs_camera_perspective(c, 8192, 240, 0, 100);' >"$dir/not_looked.c"
 sed 's/zs_camera_p/(void)zs_camera_p/' "$dir/not_looked.c" >"$dir/looked.c"
 for compiler in 'gcc -std=c2x' 'clang -std=c2x' 'g++ -x c++ -std=c++17' 'clang++ -x c++ -std=c++17'; do
-    if $compiler -Werror -Ifirmware/zstrip -c "$dir/looked.c" -o /dev/null 2>"$B/headers.txt" &&
+    if $compiler -Werror -Ifirmware/zstrip -MMD -c "$dir/looked.c" -o "$dir/looked.o" 2>"$B/headers.txt" &&
         ! $compiler -Werror -Ifirmware/zstrip -c "$dir/not_looked.c" -o /dev/null 2>"$B/headers.txt" &&
         grep -q zs_camera_perspective "$B/headers.txt"; then
         ok "an error that is not looked at is a warning, $compiler"
@@ -300,8 +318,23 @@ int main(void)
     return err ? 1 : wrong ? 2 : seen < 4000 ? 3 : 0;
 }
 END
-if gcc -std=c11 -DZS_VARYINGS_MAX=8 -Ifirmware/zstrip "$dir/eight.c" firmware/zstrip/*/*.c -o "$dir/eight" \
-    2>"$B/headers.txt"; then
+# The library's objects are those of the checksum program, where it is there and not older: made of the same options
+. tests/lib/checksum_core.sh
+eight() { # SOURCE OBJECT
+    gcc -std=c11 -DZS_VARYINGS_MAX=8 -Ifirmware/zstrip -MMD -c "$1" -o "$2" 2>"$B/headers.txt"
+}
+core_eight() {
+    objects=$top/test/checksum-gcc-O0.o
+    [ -z "$(checksum_core "$top" gcc-O0)" ] || return 0
+    objects=$dir/eight.o
+    mkdir -p "$objects"
+    for source in firmware/zstrip/*/*.c; do
+        object=${source##*/zstrip/}
+        eight "$source" "$objects/firmware-${object%%/*}-${object##*/}.o" || return 1
+    done
+}
+if core_eight && eight "$dir/eight.c" "$dir/only_eight.o" &&
+    gcc "$dir/only_eight.o" "$objects"/firmware-*.o -o "$dir/eight" 2>"$B/headers.txt"; then
     "$dir/eight"
     status=$?
     if [ $status = 0 ]; then
