@@ -32,8 +32,8 @@ by_name() {
     shift 2
     files "$name" "$1" || return
     # shellcheck disable=SC2086
-    found=$(positional gcc -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes -Ifirmware/scenes/pieces \
-        -Ifirmware/examples $flags "$@")
+    found=$(positional "$dir/looked.o" -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes \
+        -Ifirmware/scenes/pieces -Ifirmware/examples $flags -- "$@")
     none "$name" "$found"
 }
 SIM="-Ihal -Ihal/panel -Ihal/fault -I$gen -I$dir/gen $(printf -- '-I%s ' sim/*/)-Ihal/linux"

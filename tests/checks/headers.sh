@@ -172,7 +172,7 @@ END
 first_error() {
     grep -m1 -E 'error|undefined' "$B/headers.txt" || head -n 1 "$B/headers.txt"
 }
-# COMPILER STD FLAGS FILE...: each file by itself, to an object, which ccache keeps (tests/lib/ccache.sh); with
+# COMPILER STD FLAGS FILE...: each file by itself, to an assembler's text, which ccache keeps (tests/lib/ccache.sh); with
 # ZS_NO_FAST=1, too, where a header that the compiler has read for it asks for that
 asks=$(grep -lw ZS_NO_FAST firmware/zstrip/*.h firmware/zstrip/*/*.h | grep -v '/zs_config\.h$') # defines it, otherwise
 asked() {
@@ -190,7 +190,7 @@ clean() {
         for none in 0 1; do
             [ $none = 0 ] || asked || continue
             # shellcheck disable=SC2086
-            $compiler -std=$std $flags -DZS_NO_FAST=$none $INC -MMD -c "$file" -o "$dir/clean.o" \
+            $compiler -std=$std $flags -DZS_NO_FAST=$none $INC -MMD -S "$file" -o "$dir/clean.s" \
                 2>"$B/headers.txt" || {
                 bad "headers as $std by $compiler, ZS_NO_FAST=$none" "$(first_error)"
                 return

@@ -16,9 +16,22 @@ designated_headers() {
     done
 }
 
-# COMPILER ARGUMENT...: "file:line" of positional initialisers, but { 0 }, and errors. Nothing is compiled to a file.
+# TO OPTION... -- FILE...: "file:line" of positional initialisers, but { 0 }, and errors, by gcc. TO is written over:
+# what is said of each file is kept by ccache, where that is installed (tests/lib/ccache.sh).
 positional() {
-    LC_ALL=C "$@" -fsyntax-only -Wdesignated-init -fdiagnostics-color=never 2>&1 | awk '
+    to=$1 options=''
+    shift
+    while [ "$1" != -- ]; do
+        options="$options $1"
+        shift
+    done
+    shift
+    id=$({ gcc --version && cat tests/lib/looking_gcc.sh; } | cksum | tr -d ' ')
+    for file in "$@"; do
+        # shellcheck disable=SC2046,SC2086
+        LC_ALL=C CCACHE_COMPILERTYPE=gcc CCACHE_COMPILERCHECK=string:$id $(command -v ccache) \
+            tests/lib/looking_gcc.sh $options -Wdesignated-init -fdiagnostics-color=never -MMD -c "$file" -o "$to"
+    done 2>&1 | awk '
         / error: / { print; next }
         /\[-Wdesignated-init\]/ {
             split($1, at, ":")
