@@ -101,7 +101,7 @@ $(B)/test/test_pair: override SAN =
 $(B)/test/test_pair: tests/unit/test_pair.c firmware/app/pair.c tests/lib/cases.c $(TEST_NOTE)
 	@mkdir -p $(@D)/tests/unit
 	@$(TEST_CC) -Ifirmware/app $(DEP) -MT $@ -fsanitize=thread -c firmware/app/pair.c -o $(@D)/tests/unit/pair.o
-	@$(TEST_CC) -Ifirmware/app $(DEP) -MT $@ -MF $(@D)/tests/unit/test_pair.d $< tests/lib/cases.c \
+	@$(TEST_CC) -O2 -Ifirmware/app $(DEP) -MT $@ -MF $(@D)/tests/unit/test_pair.d $< tests/lib/cases.c \
 	    $(@D)/tests/unit/pair.o -lcmocka -o $@
 
 # zstrip-linux on a machine that test_linux.c makes up, in place of libgpiod and of these calls of the C library;
