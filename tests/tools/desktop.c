@@ -42,14 +42,16 @@ static int take(struct picture *p, Display *display, Window window)
         return 0;
     p->w = a.width;
     p->h = a.height;
-    p->px = malloc(sizeof *p->px * (size_t)p->w * (size_t)p->h);
-    for (int y = 0; y < p->h; y++) {
-        const char *row = image->data + (size_t)y * (size_t)image->bytes_per_line;
-        for (int x = 0; x < p->w; x++) /* in words, as screens have them: XGetPixel takes ten times as long */
-            p->px[(size_t)y * (size_t)p->w + (size_t)x] =
-                0xffffff & (image->bits_per_pixel == 32 ? ((const uint32_t *)(const void *)row)[x]
-                                                        : (uint32_t)XGetPixel(image, x, y));
+    if (image->bits_per_pixel == 32 && image->bytes_per_line == 4 * p->w) { /* as screens have them: in their place */
+        p->px = (uint32_t *)(void *)image->data;
+        for (size_t i = 0; i < (size_t)p->w * (size_t)p->h; i++)
+            p->px[i] &= 0xffffff;
+        return 1;
     }
+    p->px = malloc(sizeof *p->px * (size_t)p->w * (size_t)p->h);
+    for (int y = 0; y < p->h; y++)
+        for (int x = 0; x < p->w; x++)
+            p->px[(size_t)y * (size_t)p->w + (size_t)x] = 0xffffff & (uint32_t)XGetPixel(image, x, y);
     XDestroyImage(image);
     return 1;
 }
@@ -72,8 +74,12 @@ static int read_png(struct picture *p, const char *name)
     return 1;
 }
 
-static int is_at(const struct picture *in, const struct picture *p, int scale, int x, int y)
+/* From that pixel on first, and one of each square first: where it is not there, that is mostly seen at once. */
+static int is_at(const struct picture *in, const struct picture *p, int scale, int x, int y, int probe)
 {
+    for (int i = probe; i < p->w * p->h; i++)
+        if (in->px[(size_t)(y + i / p->w * scale) * (size_t)in->w + (size_t)(x + i % p->w * scale)] != p->px[i])
+            return 0;
     for (int k = 0; k < p->h * scale; k++)
         for (int i = 0; i < p->w * scale; i++)
             if (in->px[(size_t)(y + k) * (size_t)in->w + (size_t)(x + i)] !=
@@ -93,7 +99,7 @@ static int find(const struct picture *in, const struct picture *p)
         for (int y = 0; y + p->h * scale <= in->h; y++)
             for (int x = 0; x + p->w * scale <= in->w; x++)
                 if (in->px[(size_t)(y + probe / p->w * scale) * (size_t)in->w + (size_t)(x + probe % p->w * scale)] ==
-                        p->px[probe] && is_at(in, p, scale, x, y)) {
+                        p->px[probe] && is_at(in, p, scale, x, y, probe)) {
                     printf("%d %d %d\n", scale, x, y);
                     return 0;
                 }
