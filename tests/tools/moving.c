@@ -3,6 +3,7 @@
  * moving FILE K      frame K as it is seen, 3 bytes a pixel, to standard output
  * moving FILE K X Y W H    this part of it
  * moving FILE K box  "LEFT TOP RIGHT BOTTOM COLOR": what of it is not of its first pixel's colour
+ * moving FILE all [box]    the pixels of all frames one after the other, or a line each
  * What is not as it should be is said in a line, exit status 1. Of PNGs those of 8-bit RGB, not interlaced.
  *
  * SPDX-License-Identifier: MIT
@@ -18,7 +19,7 @@ static size_t n_file;
 static uint32_t width, height, n_frames, delay_ms;
 static unsigned long changed;
 static long wanted = -1, part[4]; /* part: x, y, width, height */
-static int box;                   /* flag */
+static int box, all;              /* flags */
 static uint8_t *seen;             /* [height][width][3] */
 
 static _Noreturn void bad(const char *what)
@@ -50,7 +51,7 @@ static void print_box(void)
 static void frame_done(uint32_t k)
 {
     const long w = part[2] > 0 ? part[2] : width, h = part[3] > 0 ? part[3] : height;
-    if ((long)k != wanted)
+    if ((long)k != wanted && !all)
         return;
     need(part[0] + w <= width && part[1] + h <= height,
          "the picture is smaller than the part of it");
@@ -303,7 +304,8 @@ int main(int argc, char **argv)
     file = malloc(1 << 24);
     n_file = fread(file, 1, 1 << 24, f);
     (void)fclose(f);
-    wanted = argc > 2 ? atol(argv[2]) : -1;
+    all = argc > 2 && strcmp(argv[2], "all") == 0;
+    wanted = all ? 0 : argc > 2 ? atol(argv[2]) : -1;
     box = argc == 4;
     for (int i = 0; i < 4 && argc == 7; i++)
         part[i] = atol(argv[3 + i]);

@@ -61,12 +61,13 @@ moving a/sheet.png
 is "width, height, frames, ms of the sheet" "${seen% *}" "960 480 1 0"
 trial b long.obj --frames 8 --size 100x60 --gif
 is "files with --gif" "$(ls -A b | tr '\n' ' ')" "sheet.png turntable.gif turntable.png "
+frame b/turntable.png all frames.rgb
+frame b/turntable.gif all gif.rgb
+cmp -s frames.rgb gif.rgb || wrong "a frame of the GIF, of fewer than 256 colours, is not the PNG's"
 for k in 0 1 2 3 4 5 6 7; do
     frame b/turntable.png $k frame.rgb
     frame b/sheet.png 0 cell.rgb $((k % 4 * 100)) $((k / 4 * 60)) 100 60
     cmp -s frame.rgb cell.rgb || wrong "view $k of the sheet is not frame $k"
-    frame b/turntable.gif $k gif.rgb
-    cmp -s frame.rgb gif.rgb || wrong "frame $k of the GIF, of fewer than 256 colours, is not the PNG's"
     [ "$k" -eq 0 ] || ! cmp -s frame.rgb before.rgb || wrong "frame $k is the one before"
     mv frame.rgb before.rgb
 done
@@ -82,14 +83,13 @@ z render colors.obj --shade smooth --out still.png --size 200x150
 frame still.png 0 still.rgb
 frame colors.png 0 png.rgb
 cmp -s still.rgb png.rgb || wrong "the first frame is not what render draws"
-for k in 0 1 2 3 4; do
-    frame colors.gif $k gif.rgb
-    frame colors.png $k png.rgb
-    cmp -l gif.rgb png.rgb | awk -v k=$k 'function dec(o) { return int(o / 100) * 64 + int(o / 10) % 10 * 8 + o % 10 }
-        { d = dec($2) - dec($3); sum += d * d }
-        END { if (sum / (200 * 150 * 3) > 40) { print k, sum / 90000; exit 1 } }' >far ||
-        wrong "frame $(cat far) mean square error of the GIF"
-done
+frame colors.gif all gif.rgb
+frame colors.png all png.rgb
+is "bytes of pixels of the GIF" "$(wc -c <gif.rgb)" "$(wc -c <png.rgb)"
+cmp -l gif.rgb png.rgb | awk 'function dec(o) { return int(o / 100) * 64 + int(o / 10) % 10 * 8 + o % 10 }
+    { d = dec($2) - dec($3); sum[int(($1 - 1) / 90000)] += d * d }
+    END { for (k in sum) if (sum[k] / (200 * 150 * 3) > 40) { print k, sum[k] / 90000; exit 1 } }' >far ||
+    wrong "frame $(cat far) mean square error of the GIF"
 
 begin mp4_by_ffmpeg
 # In place of ffmpeg: what it is told, and the frames that it gets
@@ -105,10 +105,7 @@ chmod +x fake/ffmpeg
 path=$PATH
 PATH=$PWD/fake:$path z render colors.obj --shade smooth --turntable 5 --out colors.mp4 --size 200x150
 is "the file" "$(cat colors.mp4)" film
-for k in 0 1 2 3 4; do
-    frame colors.png $k png.rgb
-    cat png.rgb
-done >all.rgb
+frame colors.png all all.rgb
 cmp -s got.rgb all.rgb || wrong "ffmpeg does not get the frames of the PNG"
 told=$(tr '\n' ' ' <told.txt)
 case $told in *' -s 200x150 -framerate 1000/600 '*) ;; *) wrong "ffmpeg is told $told" ;; esac
@@ -128,15 +125,17 @@ begin models_are_whole_and_large
 for model in ball.obj long.obj half.obj colors.obj; do
     for size in 240x240 300x100 90x200; do
         trial whole $model --frames 8 --size $size
-        w=${size%x*} h=${size#*x} widest=0 highest=0
-        for k in 0 1 2 3 4 5 6 7; do
-            moving whole/turntable.png $k box
-            [ "$(word 1 $seen)" -gt 0 ] && [ "$(word 2 $seen)" -gt 0 ] && [ "$(word 3 $seen)" -lt $((w - 1)) ] &&
-                [ "$(word 4 $seen)" -lt $((h - 1)) ] || wrong "$model at $size touches the border in view $k: $seen"
-            wide=$(($(word 3 $seen) - $(word 1 $seen))) high=$(($(word 4 $seen) - $(word 2 $seen)))
+        w=${size%x*} h=${size#*x} widest=0 highest=0 k=0
+        frame whole/turntable.png all boxes box
+        while read -r left top right bottom _; do
+            [ "$left" -gt 0 ] && [ "$top" -gt 0 ] && [ "$right" -lt $((w - 1)) ] && [ "$bottom" -lt $((h - 1)) ] ||
+                wrong "$model at $size touches the border in view $k: $left $top $right $bottom"
+            wide=$((right - left)) high=$((bottom - top))
             [ $wide -le $widest ] || widest=$wide
             [ $high -le $highest ] || highest=$high
-        done
+            k=$((k + 1))
+        done <boxes
+        is "boxes of $model at $size" $k 8
         [ $((100 * widest)) -gt $((60 * w)) ] || [ $((100 * highest)) -gt $((60 * h)) ] ||
             wrong "$model at $size is small: $widest x $highest"
     done
