@@ -23,9 +23,14 @@ only() {
 }
 # "a.h" or "b.h": the headers of some folders, as a pattern.
 headers() {
+    names=
     for dir in "$@"; do
-        for h in "$dir"/*.h; do [ -e "$h" ] && basename "$h"; done
-    done | sed 's/\./\\./' | tr '\n' '|' | sed -E 's/\|$//; s/^(.*)$/"(\1)"/'
+        for h in "$dir"/*.h; do
+            h=${h##*/}
+            [ "$h" = '*.h' ] || names="$names${names:+|}${h%.h}\\.h"
+        done
+    done
+    [ -z "$names" ] || printf '"(%s)"\n' "$names"
 }
 # NAME FORBIDDEN FILES...: no file may reach a forbidden path through any number of headers.
 reach() {
