@@ -44,32 +44,69 @@ set_up() {
     cp tests/boards/pico/*.mjs tests/boards/elf.mjs "$out/"
 }
 
-# Run SCENE[-2] without gaps, recorded; and beside it with them: in the tests those of $SCENES_2 alone, as gaps are the
-# wire's. For the table once more, with gaps and a flash that takes its time. -2: the image for both cores.
+# All that follows is gone through twice: while $asking, images are built and runs of the emulator are asked for; then
+# these are made, and looked at. One process makes all of one core, and one all of two (many.mjs): each would load the
+# emulator and compile it anew.
+asking=
+build() { # MAKE-ARGUMENTS...
+    [ -z "$asking" ] || image pico "$@"
+}
+emulated() { # CORES TO SCRIPT ARGUMENTS...: whether it is there to be looked at, in TO
+    [ -n "$asking" ] || return 0
+    cores=$1
+    shift
+    : >"$1"
+    echo "$*" >>"$out/asked.$cores"
+    return 1
+}
+ask() {
+    rm -f "$out"/*.stream
+    : >"$out/asked.1"
+    : >"$out/asked.2"
+    asking=yes
+}
+emulate() {
+    asking=
+    node "$out/many.mjs" "$out/asked.1" >"$out/many.1" 2>&1 &
+    first=$!
+    node "$out/many.mjs" "$out/asked.2" >"$out/many.2" 2>&1
+    second=$?
+    wait $first || second=1
+    [ $second -eq 0 ] || bad pico_emulator "$(cat "$out/many.1" "$out/many.2")"
+}
+
+# -2: the image for both cores
 image_of() {
     case $1 in *-2) echo "$fw-2/${1%-2}" ;; *) echo "$fw/$1" ;; esac
 }
 frames_of() { # SCENE[-2]
     case $only/$1 in /cubes*) echo $FRAMES ;; /*) echo $FRAMES_FEW ;; *) echo $FRAMES ;; esac
 }
+# Run SCENE[-2] without gaps, recorded
 run_scene() {
-    n=$(frames_of "$1")
-    node "$out/run.mjs" "$(image_of "$1")" --frames "$n" --step $STEP --stream "$out/$1.stream" >"$out/$1.txt" 2>&1 &
-    first=$!
-    second=0
-    : >"$out/$1.gap.txt"
+    cores=1
+    case $1 in *-2) cores=2 ;; esac
+    build APP=show SCENE="${1%-2}" CORES=$cores
+    [ -z "$asking" ] || : >"$out/$1.gap.txt" >"$out/$1.xip.txt"
+    emulated $cores "$out/$1.txt" run.mjs "$(image_of "$1")" --frames "$(frames_of "$1")" --step $STEP \
+        --stream "$out/$1.stream" && ended "$1" "$out/$1.txt"
+}
+# With gaps: in the tests those of $SCENES_2 alone, as gaps are the wire's. For the table once more, with gaps and a
+# flash that takes its time. After those without: the emulator's code is then compiled for numbers of one kind.
+run_gaps() { # SCENE[-2]
+    cores=1 n=$(frames_of "$1")
+    case $1 in *-2) cores=2 ;; esac
+    [ "$only/$n" != /$FRAMES_FEW ] || n=2 # a picture, and one after it
     case "$only/ $SCENES_2 " in
     ?*/* | */*" ${1%-2} "*)
-        node "$out/run.mjs" "$(image_of "$1")" --frames "$n" --step $STEP --gap $GAP >"$out/$1.gap.txt" 2>&1
-        second=$? ;;
+        emulated $cores "$out/$1.gap.txt" run.mjs "$(image_of "$1")" --frames "$n" --step $STEP --gap $GAP &&
+            ended "$1" "$out/$1.gap.txt" ;;
     esac
-    : >"$out/$1.xip.txt"
-    if [ -n "$only" ] && [ $second -eq 0 ]; then
-        node "$out/run.mjs" "$(image_of "$1")" --frames "$n" --step $STEP --gap $GAP --xip 1 >"$out/$1.xip.txt" 2>&1
-        second=$?
-    fi
-    wait $first && [ $second -eq 0 ] ||
-        bad "pico_$1" "$(grep -hm1 Error "$out/$1.txt" "$out/$1.gap.txt" "$out/$1.xip.txt")"
+    [ -z "$only" ] || ! emulated $cores "$out/$1.xip.txt" run.mjs "$(image_of "$1")" --frames "$n" --step $STEP \
+        --gap $GAP --xip 1 || ended "$1" "$out/$1.xip.txt"
+}
+ended() { # SCENE[-2] FILE
+    ! grep -q Error "$2" || bad "pico_$1" "$(grep -m1 Error "$2")"
 }
 
 # ---- Pictures -----------------------------------------------------------------------------------------------------
@@ -166,7 +203,7 @@ table_2_row() { # SCENE
         "$(field "$a" stack_used)" "$(field "$a" stack_1_used)"
 }
 table_foot() {
-    miss=$(node "$out/cache.mjs" cycles)
+    miss=$(field "$out/cache.txt" miss)
     echo "Emulated (rp2040js): no bus contention, so that cycles are a lower bound; draw cycles and the first fps"
     echo "are of a flash without wait states. +$GAP ns: with that pause after each 16-bit word, as real chips make"
     echo "in SPI mode 0. +flash: with pauses and a flash that takes $miss cycles for each word that its cache"
@@ -178,7 +215,21 @@ table_foot() {
 
 # ---- Tests -------------------------------------------------------------------------------------------------
 
+# What parts.mjs and its like have printed on FILE: N tests, the names of which get PREFIX
+tests_of() { # NAME FILE N [PREFIX]
+    sed -nE "s/^(ok|FAILED) /\\1 ${4:-}/p" "$2"
+    ! grep -q '^FAILED ' "$2" || failed=1
+    [ "$(grep -cE '^(ok|FAILED) ' "$2")" = "$3" ] || bad "$1" "not all of them ran: $(grep -m1 Error "$2")"
+}
+
 parts() {
+    emulated 1 "$out/parts.txt" parts.mjs "$fw/parts" || { build_parts; return; }
+    tests_of pico_parts "$out/parts.txt" 8
+    wire='c2c | c36 81 00 fe | 11 22 33 44 55 66 | 11 22 33 44 55 | 22 33 44 55 | 11 |'
+    [ "$(field "$out/parts.txt" wire)" = "$wire" ] || bad pico_wire "$(field "$out/parts.txt" wire)"
+    verdict pico_parts_without_problems "$(field "$out/parts.txt" problem)"
+}
+build_parts() {
     twin=$out/twin
     mkdir -p "$twin"
     libgcc=$(arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb -print-libgcc-file-name)
@@ -186,14 +237,7 @@ parts() {
         arm-none-eabi-ar p "$libgcc" $member >"$twin/$member" &&
             arm-none-eabi-objcopy --prefix-symbols=libgcc_ "$twin/$member" || bad pico_twin "no $member in libgcc"
     done
-    image pico NAME=parts APP_SRC=tests/boards/pico/parts.c EXTRA="$twin/_udivsi3.o $twin/_divsi3.o"
-    node "$out/parts.mjs" "$fw/parts" >"$out/parts.txt" 2>&1 || bad pico_parts "$(grep -m1 Error "$out/parts.txt")"
-    grep -E '^(ok|FAILED) ' "$out/parts.txt"
-    grep -q '^FAILED ' "$out/parts.txt" && failed=1
-    [ "$(grep -cE '^ok ' "$out/parts.txt")" = 8 ] || bad pico_parts "not all of them ran"
-    wire='c2c | c36 81 00 fe | 11 22 33 44 55 66 | 11 22 33 44 55 | 22 33 44 55 | 11 |'
-    [ "$(field "$out/parts.txt" wire)" = "$wire" ] || bad pico_wire "$(field "$out/parts.txt" wire)"
-    verdict pico_parts_without_problems "$(field "$out/parts.txt" problem)"
+    build NAME=parts APP_SRC=tests/boards/pico/parts.c EXTRA="$twin/_udivsi3.o $twin/_divsi3.o"
 }
 
 # A strip whose words stop, at once or just before its last ones: said so, the rest of the frame is dropped, and
@@ -202,7 +246,7 @@ broken_strip() { # NAME OPTIONS...
     name=$1
     shift
     stem=$out/$name
-    node "$out/run.mjs" "$fw/cubes" --frames $FRAMES --step $STEP --stream "$stem.stream" "$@" >"$stem.txt" 2>&1
+    emulated 1 "$stem.txt" run.mjs "$fw/cubes" --frames $FRAMES --step $STEP --stream "$stem.stream" "$@" || return
     decode "$stem" >"$stem.bad"
     same "$stem" cubes 0 1 3 >>"$stem.bad"
     grep -q '^text # the bus did not end in its time' "$stem.txt" || echo "nothing was reported" >>"$stem.bad"
@@ -218,8 +262,8 @@ goes_wrong() {
     name=$1 says=$2 n=$3 right=$4
     shift 4
     stem=$out/$name
-    timeout 60 node "$out/run.mjs" "$fw-2/cubes" --frames "$n" --step $STEP --stream "$stem.stream" "$@" \
-        >"$stem.txt" 2>&1
+    emulated 2 "$stem.txt" run.mjs "$fw-2/cubes" --frames "$n" --step $STEP --seconds 60 --stream "$stem.stream" "$@" ||
+        return
     decode "$stem" >"$stem.bad"
     # shellcheck disable=SC2086
     same "$stem" cubes $right >>"$stem.bad"
@@ -234,6 +278,7 @@ goes_wrong() {
 }
 # The images of all scenes for both cores fit into the RAM; only some of them are run.
 fits_twice() {
+    [ -z "$asking" ] || return
     sed -n 's/^#define SIZES_2_\([a-z]*\) .*/\1/p' firmware/scenes/sizes.h >"$out/scenes_2.txt"
     while read -r of; do
         make -s -f firmware/boards/firmware.mk BOARD=pico B="$build" APP=show SCENE="$of" CORES=2 image \
@@ -244,22 +289,20 @@ fits_twice() {
 }
 
 two_cores() {
-    for of in $SCENES_2; do
-        scene_tests "$of-2"
-    done
+    [ -n "$asking" ] ||
+        for of in $SCENES_2; do
+            scene_tests "$of-2"
+        done
     fits_twice
-    image pico APP=show SCENE=mine CORES=2
-    by_the_clock second
-    image pico NAME=second APP_SRC=tests/boards/pico/second.c CORES=2
-    timeout 60 node "$out/parts.mjs" "$fw-2/second" >"$out/second.txt" 2>&1 ||
-        bad pico_second "$(grep -m1 Error "$out/second.txt")"
-    grep -E '^(ok|FAILED) ' "$out/second.txt" | sed 's/ / pico_/'
-    grep -q '^FAILED ' "$out/second.txt" && failed=1
-    [ "$(grep -cE '^(ok|FAILED) ' "$out/second.txt")" = 7 ] || bad pico_second "not all of them ran"
-    verdict pico_second_without_problems "$(field "$out/second.txt" problem)"
+    by_the_clock 2 second
+    build NAME=second APP_SRC=tests/boards/pico/second.c CORES=2
+    if emulated 2 "$out/second.txt" parts.mjs "$fw-2/second" 60; then
+        tests_of pico_second "$out/second.txt" 7 pico_
+        verdict pico_second_without_problems "$(field "$out/second.txt" problem)"
+    fi
     goes_wrong second_absent 'core 1 does not answer: core 0 draws alone' 4 '0 1 2 3' --second dead
-    cmp -s "$out/second_absent.stream" "$out/cubes-2.stream" && ok pico_second_same_wire ||
-        bad pico_second_same_wire "what leaves is not what core 0 alone sends"
+    [ -n "$asking" ] || verdict pico_second_same_wire \
+        "$(cmp "$out/second_absent.stream" "$out/cubes-2.stream" 2>&1)" # what core 0 alone sends
     goes_wrong second_garbled '' 4 '0 1 2 3' --second garble
     goes_wrong second_wakes_up '' 4 '0 1 2 3' --doze 4000000
     goes_wrong second_stops 'core 1 stopped: core 0 draws alone' 5 '0 1 4' --stop 2.5
@@ -267,22 +310,26 @@ two_cores() {
     goes_wrong second_refused 'a required pointer is NULL' 5 '0 1 3 4' --refuse 2
     goes_wrong second_stopped_tail 'the bus did not end in its time' 5 '0 1 4' --hold 2.6 --tail 1
     # what leaves ends in a command without its arguments: of no use to a decoder
-    timeout 60 node "$out/run.mjs" "$fw-2/cubes" --frames 5 --step $STEP --hold 2.3 --head 1 >"$out/command.txt" 2>&1
-    [ "$(field "$out/command.txt" frames) $(field "$out/command.txt" text | grep '^#')" = \
-        '5 # the bus did not end in its time' ] && ok pico_second_stopped_command ||
-        bad pico_second_stopped_command "$(field "$out/command.txt" text | tail -1)"
-    node "$out/run.mjs" "$fw-2/cubes" --frames 4 --step $STEP --fault 1.3 >"$out/fault.txt" 2>&1
-    [ "$(field "$out/fault.txt" text | tail -1)" = 'pico: hard fault on core 1' ] && ok pico_second_faults ||
-        bad pico_second_faults "$(tail -1 "$out/fault.txt")"
+    if emulated 2 "$out/command.txt" run.mjs "$fw-2/cubes" --frames 5 --step $STEP --hold 2.3 --head 1 --seconds 60
+    then
+        verdict pico_second_stopped_command \
+            "$(says "$out/command.txt" '5 # the bus did not end in its time' "$(field "$out/command.txt" frames) $(
+                field "$out/command.txt" text | grep '^#')")"
+    fi
+    if emulated 2 "$out/fault.txt" run.mjs "$fw-2/cubes" --frames 4 --step $STEP --fault 1.3; then
+        verdict pico_second_faults \
+            "$(says "$out/fault.txt" 'pico: hard fault on core 1' "$(field "$out/fault.txt" text | tail -1)")"
+    fi
+}
+says() { # FILE WANTED FOUND: where they differ, what was found and the end of FILE
+    [ "$2" = "$3" ] || echo "$3; $(tail -1 "$1")"
 }
 
 # Interrupts at each instruction of a transfer, and the timer's wrap at each moment.
 sweep() {
-    image pico NAME=sweep APP_SRC=tests/boards/pico/sweep.c
-    node "$out/sweep.mjs" "$fw/sweep" >"$out/sweep.txt" 2>&1 || bad pico_sweep "$(grep -m1 Error "$out/sweep.txt")"
-    grep -E '^(ok|FAILED) ' "$out/sweep.txt"
-    grep -q '^FAILED ' "$out/sweep.txt" && failed=1
-    [ "$(grep -cE '^(ok|FAILED) ' "$out/sweep.txt")" = 6 ] || bad pico_sweep "not all of them ran"
+    build NAME=sweep APP_SRC=tests/boards/pico/sweep.c
+    emulated 1 "$out/sweep.txt" sweep.mjs "$fw/sweep" || return
+    tests_of pico_sweep "$out/sweep.txt" 6
     # 220 rounds of a kind; of each, those without a hook end asleep
     awk '$1 == "swept" && ($3 < 220 || $2 == 5 && $3 < 302 || $2 < 4 && ($4 < 40 || $4 > 180)) { print }' \
         "$out/sweep.txt" >"$out/sweep.bad"
@@ -292,8 +339,8 @@ sweep() {
 
 # The interrupt that is waited for comes between the question and the sleep: no wake-up is lost.
 wakes_up() {
-    node "$out/run.mjs" "$fw/cubes" --frames $FRAMES --step $STEP --doze 4000000 --stream "$out/doze.stream" \
-        >"$out/doze.txt" 2>&1
+    emulated 1 "$out/doze.txt" run.mjs "$fw/cubes" --frames $FRAMES --step $STEP --doze 4000000 \
+        --stream "$out/doze.stream" || return
     decode "$out/doze" >"$out/doze.bad"
     same "$out/doze" cubes 0 1 2 3 >>"$out/doze.bad"
     field "$out/doze.txt" problem >>"$out/doze.bad"
@@ -301,30 +348,38 @@ wakes_up() {
     verdict pico_wakes_up "$(head -3 "$out/doze.bad" | tr '\n' ' ')"
 }
 
-# The image is that of the scene and the settings that were asked for last, whatever was built before under its name.
-# Leaves my_scene's.
+# The image is that of the scene and the settings that were asked for last, whatever was built before under its name. In
+# a folder of its own, as settings compile all anew, but for the renderer, which knows nothing of them.
+ASKED=$fw-asked
+asked() { # MAKE-ARGUMENTS...
+    image pico OUT="$ASKED" CORE_OBJ="$out/core" APP=show "$@"
+}
 as_asked() {
+    [ -n "$asking" ] || { verdict pico_image_is_as_asked "$(tr '\n' ' ' <"$out/asked.bad")"; return; }
     : >"$out/asked.bad"
-    image pico APP=show SCENE=mine
-    cp "$fw/my_scene.uf2" "$out/mine.uf2"
+    rm -rf "$out/core"
+    mkdir -p "$out/core"
+    (cd "$fw" && find firmware/zstrip -name '*.o' | tar cf - --transform 's|/|-|g' -T -) | tar xf - -C "$out/core"
+    asked SCENE=mine
+    cp "$ASKED/my_scene.uf2" "$out/mine.uf2"
     sed 's/^#define FRAMES 90u/#define FRAMES 91u/' firmware/app/my_scene.c >"$out/my_scene.c"
-    image pico APP=show APP_SCENE="$out/my_scene.c"
-    cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" && echo "another file of the same name is not built" >>"$out/asked.bad"
-    image pico APP=show SCENE=mine
-    cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" || echo "not my_scene.c's after another's" >>"$out/asked.bad"
-    image pico APP=show SCENE=mine DEFINES=-DPIN_RESET=14
-    cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" && echo "DEFINES change nothing" >>"$out/asked.bad"
-    image pico APP=show SCENE=mine
-    cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" || echo "DEFINES stay" >>"$out/asked.bad"
-    verdict pico_image_is_as_asked "$(tr '\n' ' ' <"$out/asked.bad")"
+    asked APP_SCENE="$out/my_scene.c"
+    cmp -s "$ASKED/my_scene.uf2" "$out/mine.uf2" && echo "another file of the same name is not built" >>"$out/asked.bad"
+    asked SCENE=mine
+    cmp -s "$ASKED/my_scene.uf2" "$out/mine.uf2" || echo "not my_scene.c's after another's" >>"$out/asked.bad"
+    asked SCENE=mine DEFINES=-DPIN_RESET=14
+    cmp -s "$ASKED/my_scene.uf2" "$out/mine.uf2" && echo "DEFINES change nothing" >>"$out/asked.bad"
+    asked SCENE=mine
+    cmp -s "$ASKED/my_scene.uf2" "$out/mine.uf2" || echo "DEFINES stay" >>"$out/asked.bad"
 }
 
 # Glass that is not square, turned: all of the picture arrives, background in its corners and something in its middle.
 turned() {
-    image pico APP=show SCENE=mine DEFINES='-DSHOW_WIDTH=240 -DSHOW_HEIGHT=135 -DSHOW_ROTATE=1'
+    [ -z "$asking" ] || image pico OUT="$fw-turned" CORE_OBJ="$out/core" APP=show SCENE=mine \
+        DEFINES='-DSHOW_WIDTH=240 -DSHOW_HEIGHT=135 -DSHOW_ROTATE=1'
     rm -f "$out/turned_0.bin"
+    emulated 1 "$out/turned.txt" run.mjs "$fw-turned/my_scene" --frames 1 --stream "$out/turned.stream" || return
     : >"$out/turned.bad"
-    node "$out/run.mjs" "$fw/my_scene" --frames 1 --stream "$out/turned.stream" >"$out/turned.txt" 2>&1
     "$build/zsim" panel --panel st7789:135x240 --rotate 90 --invert --decode "$out/turned.stream" \
         --out "$out/turned_%d.png" --raw "$out/turned_%d.bin" >"$out/turned.panel.txt" 2>&1 ||
         tail -1 "$out/turned.panel.txt" >"$out/turned.bad"
@@ -338,19 +393,24 @@ turned() {
     verdict pico_turned_glass "$(tr '\n' ' ' <"$out/turned.bad")"
 }
 
-# As it runs on a desk: 32 frames of the scene to be changed, at its 30 a second, none late: [second]
+# As it runs on a desk: 32 frames of the scene to be changed, at its 30 a second, none late: CORES [second]
 by_the_clock() {
-    node "$out/run.mjs" "$fw$([ $# = 0 ] || echo -2)/my_scene" --until 'mine,32,' >"$out/clock.txt" 2>&1
-    : >"$out/clock.bad"
-    fps=$(field "$out/clock.txt" fps) late=$(late "$out/clock.txt")
-    [ "$fps $late" = '30.0 0/32' ] || echo "$fps frames a second, late $late" >"$out/clock.bad"
-    field "$out/clock.txt" problem >>"$out/clock.bad"
-    verdict "pico_${1:+$1_}by_the_clock" "$(head -3 "$out/clock.bad" | tr '\n' ' ')"
+    build APP=show SCENE=mine CORES="$1"
+    at=$out/clock.$1
+    emulated "$1" "$at.txt" run.mjs "$(image_of "my_scene$([ "$1" = 1 ] || echo -2)")" --until 'mine,32,' || return
+    : >"$at.bad"
+    fps=$(field "$at.txt" fps) late=$(late "$at.txt")
+    [ "$fps $late" = '30.0 0/32' ] || echo "$fps frames a second, late $late" >"$at.bad"
+    field "$at.txt" problem >>"$at.bad"
+    verdict "pico_${2:+$2_}by_the_clock" "$(head -3 "$at.bad" | tr '\n' ' ')"
 }
 
 set_up
 [ "$only" = set-up ] && exit 0
 if [ "$only" = sweep ]; then
+    ask
+    sweep
+    emulate
     sweep
     exit $failed
 fi
@@ -364,47 +424,58 @@ if [ "$only" = profile ]; then
     exit 0
 fi
 if [ "$only" = cores ]; then
-    for scene in $SCENES_2; do
-        image pico APP=show SCENE="$scene" CORES=2
-        run_scene "$scene-2"
-    done
-    two_cores
-    exit $failed
+    SCENES=
 fi
-if [ -n "$only" ]; then
+if [ -n "$SCENES" ] && [ -n "$only" ]; then
     [ -n "${PICO_SCENES:-}" ] || SCENES="$SCENES $PIECES"
     SCENES_2=$(for scene in $SCENES; do ! grep -q "SIZES_2_$scene " firmware/scenes/sizes.h || echo "$scene"; done)
 fi
-for scene in $SCENES; do
-    image pico APP=show SCENE="$scene"
-    run_scene "$scene"
-done
-for scene in $SCENES_2; do
-    image pico APP=show SCENE="$scene" CORES=2
-    run_scene "$scene-2"
-done
-if [ -z "$only" ]; then
+all() {
     for scene in $SCENES; do
-        scene_tests "$scene"
+        run_scene "$scene"
     done
-    node "$out/image.mjs" "$fw/${SCENES%% *}" >"$out/image.txt" 2>&1
-    grep -E '^(ok|FAILED) ' "$out/image.txt"
-    node "$out/cache.mjs" >"$out/cache.txt" 2>&1
-    grep -E '^(ok|FAILED) ' "$out/cache.txt"
-    [ "$(grep -cE '^ok ' "$out/cache.txt")" = 6 ] || failed=1
-    [ "$(grep -cE '^ok ' "$out/image.txt")" = 4 ] || failed=1
-    verdict pico_no_float_no_heap "$(arm-none-eabi-nm --plugin= "$fw/${SCENES%% *}.elf" |
-        grep -oE '__aeabi_[cdf][a-z]*[0-9]?[a-z]*$|(m|c|re)alloc$|_sbrk$' | grep -vE 'clz|ctz' | tr '\n' ' ')"
-    turned
+    for scene in $SCENES_2; do
+        run_scene "$scene-2"
+    done
+    for scene in $SCENES; do
+        run_gaps "$scene"
+    done
+    for scene in $SCENES_2; do
+        run_gaps "$scene-2"
+    done
+    emulated 1 "$out/cache.txt" cache.mjs
+    case $only in
+    '') tests ;;
+    cores) two_cores ;;
+    esac
+}
+tests() {
+    [ -n "$asking" ] ||
+        for scene in $SCENES; do
+            scene_tests "$scene"
+        done
+    if emulated 1 "$out/image.txt" image.mjs "$fw/${SCENES%% *}"; then
+        tests_of pico_image "$out/image.txt" 4
+        grep -v '^miss' "$out/cache.txt" >"$out/cache.tests"
+        tests_of pico_cache "$out/cache.tests" 6
+        verdict pico_no_float_no_heap "$(arm-none-eabi-nm --plugin= "$fw/${SCENES%% *}.elf" |
+            grep -oE '__aeabi_[cdf][a-z]*[0-9]?[a-z]*$|(m|c|re)alloc$|_sbrk$' | grep -vE 'clz|ctz' | tr '\n' ' ')"
+    fi
     as_asked
-    by_the_clock
+    turned
+    by_the_clock 1
     parts
     sweep
     wakes_up
     broken_strip stopped_strip --hold 2.1
     broken_strip stopped_tail --hold 2.2 --tail 1
     two_cores
-fi
+}
+ask
+all
+emulate
+all
+[ "$only" != cores ] || exit $failed
 : >"$out/table.txt"
 table_head
 for scene in $SCENES; do

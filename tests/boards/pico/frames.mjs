@@ -37,7 +37,7 @@ let on = false, pixels = false, bytes = 0;
 const whole = [];           // when each frame was: its time and the wire's
 function look() {
     for (; seen < pico.stream.length; seen++) {
-        const word = pico.stream[seen];
+        const word = pico.stream.words[seen];
         if (word & MARKS)
             continue;
         if (!(word & DATA)) {
@@ -74,7 +74,7 @@ for (const line of pico.text.split('\n').filter(Boolean))
     out('text', line);
 for (const problem of pico.problems)
     out('problem', problem);
-fs.writeFileSync(o.stream, Buffer.from(Uint16Array.from(pico.stream).buffer));
+fs.writeFileSync(o.stream, pico.stream.from());
 if (whole.length < o.frames) {
     console.error(`${whole.length} of ${o.frames} frames came: ` +
         (pico.core.PC === stop ? 'the program ended' : `${o.seconds} seconds were over`));

@@ -18,7 +18,7 @@
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
 
-import { Simulator } from 'rp2040js';
+import { RP2040 } from 'rp2040js';
 
 import { read_elf } from './elf.mjs';
 import { Second } from './second.mjs';
@@ -26,29 +26,71 @@ import { Xip } from './xip.mjs';
 
 const STAGE2_AT = 0x20041f00; // where the boot ROM copies the second stage
 const FLASH = 0x10000000, RAM = 0x20000000;
+const FLASH_BYTES = 2 << 20, RAM_BYTES = 264 << 10; // of the board
 const WFI = 0xbf30, WFE = 0xbf20; // opcodes
 export const CYCLE_NS = 8;    // at 125 MHz
 const PIN = { cs: 17, dc: 20, reset: 21 };
 const SPI0_RESET = 1 << 16;
 const PAINT = 0xa5a5a5a5;
+const LOOK_CYCLES = 1e7;      // some tenths of a second of this machine's
 const TIME_MAX_S = 60;        // nothing in the tests takes a minute: a longer sleep is one without an end
 
 // Registers that the emulator does not have and that need none: UARTDMACR, its DMA is always on.
 const HARMLESS = /^UART0: Unimplemented peripheral write to 0x48/;
 
+// The emulator's chip, in less time.
+class Chip extends RP2040 {
+    // All of its 16 MB of flash would be filled.
+    reset() {
+        this.core.reset();
+        this.pwm.reset();
+        this.flash.fill(0xff, 0, FLASH_BYTES);
+    }
+
+    // Asked at each write of a word: in RAM there is none.
+    findPeripheral(address) {
+        return address >= RAM && address < RAM + RAM_BYTES ? undefined : super.findPeripheral(address);
+    }
+}
+
+// What went over the wire.
+class Words {
+    constructor() {
+        this.words = new Uint16Array(1 << 19);
+        this.length = 0;
+    }
+
+    push(word) {
+        if (this.length === this.words.length) {
+            const { words } = this;
+            this.words = new Uint16Array(2 * words.length);
+            this.words.set(words);
+        }
+        this.words[this.length++] = word;
+    }
+
+    from(first = 0) {
+        return this.words.subarray(first, this.length);
+    }
+}
+
 export class Pico {
-    constructor(stem, { gap_ns = 0, doze_ns = 0, second = '', xip = false, most_s = TIME_MAX_S } = {}) {
+    constructor(stem, { gap_ns = 0, doze_ns = 0, second = '', xip = false, most_s = TIME_MAX_S,
+        real_s = Infinity } = {}) {
         this.elf = read_elf(`${stem}.elf`);
         this.gap_ns = gap_ns;
         this.most_ns = most_s * 1e9;
+        this.latest = Date.now() + real_s * 1000; // of this machine's time
+        this.look_at = LOOK_CYCLES;               // what a core has run when all this is looked at
         this.doze_ns = doze_ns; // passes before each WFI (WFE, with two cores), as if what is waited for came just then
         this.problems = [];
         this.text = '';
-        this.stream = []; // uint16 words, as run.mjs writes them
+        this.stream = new Words(); // as run.mjs writes them
         this.busy_ns = 0;
+        this.spi = { hz: 0, mode0: false }; // as the last word found it
         this.holding = false; // true: words that begin do not end
         this.stalled = false; // a word waits for holding to end
-        const chip = new Simulator().rp2040;
+        const chip = new Chip();
         chip.logger = {
             debug() {},
             info: (who, what) => { if (what === 'SEV') this.second.send_event(); },
@@ -58,8 +100,7 @@ export class Pico {
         this.chip = chip;
         this.clock = chip.clock;
         this.core = chip.core;
-        this.core.ran = 0; // cycles
-        this.core.at = 0;  // ns, where two cores run: when its next instruction begins
+        this.prepare(this.core);
         chip.flash.set(fs.readFileSync(`${stem}.bin`), 0);
         chip.uart[0].onByte = (byte) => { this.text += String.fromCharCode(byte); };
         this.#wire();
@@ -71,6 +112,16 @@ export class Pico {
         }
         this.#dma();
         this.#resets();
+    }
+
+    // What is known of a core besides; set of both in one order, or they are of two kinds to the compiler of the
+    // emulator's code, which then takes longer.
+    prepare(core) {
+        core.ran = 0; // cycles
+        core.at = 0;  // ns, where two cores run: when its next instruction begins
+        core.dozes = 0;
+        core.slept = false;
+        ({ exceptionEntry: core.exceptionEntry, exceptionReturn: core.exceptionReturn } = core);
     }
 
     problem(what) {
@@ -125,26 +176,27 @@ export class Pico {
     }
 
     #word_begins(value) {
-        const { chip, level } = this, spi = chip.spi[0];
+        const { level, stream } = this, spi = this.chip.spi[0], bits = spi.dataBits, hz = spi.clockFrequency;
         if (level.cs)
             this.problem('a word begins while CS is high');
         if (!level.reset)
             this.problem('a word begins while RESET is low');
         if (!spi.enabled)
             this.problem('a word begins while SPI0 is off');
-        this.spi = { hz: spi.clockFrequency, mode0: !(spi.control0 & 0xc0) };
+        this.spi.hz = hz;
+        this.spi.mode0 = !(spi.control0 & 0xc0);
         const dc = level.dc ? 0x100 : 0;
-        if (spi.dataBits === 16)
-            this.stream.push(value >> 8 | dc, value & 0xff | dc);
-        else if (spi.dataBits === 8)
-            this.stream.push(value | dc);
+        if (bits === 16)
+            stream.push(value >> 8 | dc);
+        if (bits === 16 || bits === 8)
+            stream.push(value & 0xff | dc);
         else
-            this.problem(`words of ${spi.dataBits} bits`);
+            this.problem(`words of ${bits} bits`);
         if (this.holding) {
             this.stalled = true;
             return;
         }
-        const ns = spi.dataBits * 1e9 / spi.clockFrequency + this.gap_ns;
+        const ns = bits * 1e9 / hz + this.gap_ns;
         this.busy_ns += ns;
         this.done.schedule(ns);
     }
@@ -269,9 +321,15 @@ export class Pico {
     #execute(core) {
         const cycles = core.executeInstruction() + (this.xip?.waited() ?? 0);
         core.ran += cycles;
-        if (core.ran > this.most_ns / CYCLE_NS)
-            throw new Error('does not end');
+        if (core.ran > this.look_at)
+            this.#end_in_time(core.ran);
         return cycles;
+    }
+
+    #end_in_time(ran) {
+        if (ran > this.most_ns / CYCLE_NS || Date.now() > this.latest)
+            throw new Error('does not end');
+        this.look_at = ran + LOOK_CYCLES;
     }
 
     // Let it be `now`, ns; what was to come before comes.

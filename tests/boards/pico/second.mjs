@@ -43,8 +43,7 @@ export class Second {
 
     #fresh() {
         this.core = new this.first.constructor(this.chip);
-        this.core.ran = 0;
-        this.core.at = 0;
+        this.pico.prepare(this.core);
     }
 
     // Core 1 stands still from here on, whatever it is at; reset alone helps.
