@@ -2,10 +2,10 @@
 // `node SCRIPT ARGUMENTS...`, they print it.
 //
 // SPDX-License-Identifier: MIT
-import path from 'node:path';
+import fs from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 export function alone(url, run) {
-    if (path.resolve(process.argv[1]) === fileURLToPath(url))
+    if (fs.realpathSync(process.argv[1]) === fileURLToPath(url))
         process.stdout.write(run(process.argv.slice(2)));
 }
