@@ -19,9 +19,6 @@ mode=${2:-}
 top=$PWD
 out=$(mkdir -p "$1/test/readme" && cd "$1/test/readme" && pwd)
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
-# zsim keeps what it frees: a frame's pictures and arenas anew are half of what `make demo` takes, page by page
-MALLOC_TRIM_THRESHOLD_=2000000000 MALLOC_MMAP_THRESHOLD_=1000000000
-export MALLOC_TRIM_THRESHOLD_ MALLOC_MMAP_THRESHOLD_
 . tests/lib/positional.sh
 designated_headers "$out/headers" "$top"
 find . \( -name README.md -o -name CONTRIBUTING.md \) -not -path './.git/*' -not -path '*/build/*' | sed 's/^..//' |
