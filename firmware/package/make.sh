@@ -43,7 +43,8 @@ if command -v cmake >/dev/null && command -v dpkg-deb >/dev/null; then
     root=$build/package/debian
     tuple=$(dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch)
     cmake -S "$tree" -B "$build/package/cmake" -DCMAKE_RULE_MESSAGES=OFF -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_C_FLAGS="-ffile-prefix-map=$PWD=." -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_INSTALL_LIBDIR="lib/$tuple" >"$build/package/cmake.log"
+        -DCMAKE_C_FLAGS="-ffile-prefix-map=$PWD=." -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_INSTALL_LIBDIR="lib/$tuple" \
+        >"$build/package/cmake.log"
     cmake --build "$build/package/cmake" -j"$(nproc)" >>"$build/package/cmake.log"
     DESTDIR=$root cmake --install "$build/package/cmake" --strip >>"$build/package/cmake.log"
     doc=$root/usr/share/doc/libzstrip-dev

@@ -14,9 +14,9 @@ void *sim_kept(size_t bytes);
 /* Give a block of sim_kept's back, or one of malloc's, which is freed, or NULL. */
 void sim_kept_end(void *block);
 
-/* From now on malloc takes what was freed before it asks the system for new pages, for blocks of any size: pictures of a
- * frame are those of the frame before. `zsim demo` has 6,200 page faults in place of 368,000, and takes half of the time
- * where they are dear. By glibc alone. */
+/* From now on malloc takes what was freed before it asks the system for new pages, for blocks of any size: a frame's
+ * pictures are where those before were. `zsim demo` has 6,200 page faults in place of 368,000, and takes half of the
+ * time where they are dear. By glibc alone. */
 void sim_keep_freed(void);
 
 #endif

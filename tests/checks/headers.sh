@@ -172,8 +172,8 @@ END
 first_error() {
     grep -m1 -E 'error|undefined' "$B/headers.txt" || head -n 1 "$B/headers.txt"
 }
-# COMPILER STD FLAGS FILE...: each file by itself, to an assembler's text, which ccache keeps (tests/lib/ccache.sh); with
-# ZS_NO_FAST=1, too, where a header that the compiler has read for it asks for that
+# COMPILER STD FLAGS FILE...: each file by itself, to an assembler's text, which ccache keeps (tests/lib/ccache.sh);
+# with ZS_NO_FAST=1, too, where a header that the compiler has read for it asks for that
 asks=$(grep -lw ZS_NO_FAST firmware/zstrip/*.h firmware/zstrip/*/*.h | grep -v '/zs_config\.h$') # defines it, otherwise
 asked() {
     while read -r line; do
@@ -237,7 +237,8 @@ ends "C99 program draws" 0 gcc -std=c99 -c "$dir/main.c"
 ends "C++11 program draws" 0 g++ -std=c++11 -c "$dir/main.cpp"
 # ZS_ERR_BUILD
 ends "C99 program with fewer varyings than the library is refused" 7 gcc -std=c99 -DZS_VARYINGS_MAX=2 -c "$dir/main.c"
-ends "C++11 program with more varyings than the library is refused" 7 g++ -std=c++11 -DZS_VARYINGS_MAX=8 -c "$dir/main.cpp"
+ends "C++11 program with more varyings than the library is refused" 7 \
+    g++ -std=c++11 -DZS_VARYINGS_MAX=8 -c "$dir/main.cpp"
 ends "C99 program with larger frames than the library is refused" 7 gcc -std=c99 -DZS_SIZE_MAX=8000 -c "$dir/main.c"
 
 # ZS_DEGREES of a variable would be floating point at run time

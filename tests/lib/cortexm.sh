@@ -211,10 +211,10 @@ link() {
         case $flag in -Wl,*) ;; *) flags_of_main="$flags_of_main $flag" ;; esac
     done
     # shellcheck disable=SC2086
-    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel $flags_of_main -MMD \
-        -c "$main" -o "$dir.${out##*/}.o" &&
-        ${ARM}gcc -mcpu="$cpu" -mthumb $OPT "$dir.${out##*/}.o" "$dir"/*.o -nostartfiles -Wl,--gc-sections,-e,main "$@" \
-            -o "$out"
+    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel $flags_of_main \
+        -MMD -c "$main" -o "$dir.${out##*/}.o" &&
+        ${ARM}gcc -mcpu="$cpu" -mthumb $OPT "$dir.${out##*/}.o" "$dir"/*.o -nostartfiles -Wl,--gc-sections,-e,main \
+            "$@" -o "$out"
 }
 
 # MAP PATTERN: bytes that the link took from objects whose path matches, by the linker's map.

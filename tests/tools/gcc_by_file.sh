@@ -1,7 +1,7 @@
 #!/bin/sh
-# gcc for what READMEs say: a command that compiles several sources into a program does so one by one through ccache. Any
-# other command is gcc's own. $REAL_GCC is gcc. Objects of firmware/zstrip stay in $GCC_KEPT, by their flags: another
-# command takes them from there.
+# gcc for what READMEs say: a command that compiles several sources into a program does so one by one through ccache.
+# Any other command is gcc's own. $REAL_GCC is gcc. Objects of firmware/zstrip stay in $GCC_KEPT, by their flags:
+# another command takes them from there.
 #
 # SPDX-License-Identifier: MIT
 set -u

@@ -71,8 +71,9 @@ configured fetched fetched/build $commands >fetched.log 2>&1 && cmake --build fe
     fetched/build/consumer want.bin && : >fetched.log
 verdict package_cmake_fetchcontent fetched.log
 [ "$(od -An -v -tx2 -w2 want.bin | sort -u | wc -l)" -ge 3 ] || bad package_picture 'no cube can be seen'
-lib="$work/fetched/build/_deps/zstrip-build/libzstrip.a" panel="$work/fetched/build/_deps/zstrip-build/libzstrip_panel.a"
-# The other way to have its sources in a project compiles them by the same commands: that is looked at, and not built again
+lib="$work/fetched/build/_deps/zstrip-build/libzstrip.a"
+panel="$work/fetched/build/_deps/zstrip-build/libzstrip_panel.a"
+# The other way to have its sources in a project compiles them by the same commands: they are looked at, not built again
 consumer added <<END
 add_subdirectory("$zs" at)
 END
