@@ -35,7 +35,13 @@ truth() {
         { cat "$stem.txt"; bad "zsim demo" "$scene $*"; }
 }
 
+# Words of a const in a copy of an image: IN.elf OUT.elf SYMBOL[+BYTES] WORD...
+patch() {
+    [ -x "$out/patch" ] || gcc -std=c11 -O1 -Wall -Wextra tests/boards/patch.c -o "$out/patch" || exit 1
+    "$out/patch" "$@"
+}
+
 # The show draws frames 0, STEP .. and stops: ELF COPY FRAMES STEP   a patched copy of the image
 stops_after() {
-    node tests/boards/patch.mjs "$1" "$2" show_test "$3" "$4"
+    patch "$1" "$2" show_test "$3" "$4"
 }
