@@ -206,15 +206,15 @@ ALL_PANELS='struct panel_config other = config;
 link() {
     cpu=$1 dir=$2 main=$3 out=$4
     shift 4
-    flags_of_main=
+    object=$dir.${out##*/}.o of_main=
     for flag in "$@"; do
-        case $flag in -Wl,*) ;; *) flags_of_main="$flags_of_main $flag" ;; esac
+        case $flag in -Wl,*) ;; *) of_main="$of_main $flag" ;; esac
     done
     # shellcheck disable=SC2086
-    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel $flags_of_main \
-        -MMD -c "$main" -o "$dir.${out##*/}.o" &&
-        ${ARM}gcc -mcpu="$cpu" -mthumb $OPT "$dir.${out##*/}.o" "$dir"/*.o -nostartfiles -Wl,--gc-sections,-e,main \
-            "$@" -o "$out"
+    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel $of_main \
+        -MMD -c "$main" -o "$object" &&
+        ${ARM}gcc -mcpu="$cpu" -mthumb $OPT "$object" "$dir"/*.o -nostartfiles -Wl,--gc-sections,-e,main "$@" \
+            -o "$out"
 }
 
 # MAP PATTERN: bytes that the link took from objects whose path matches, by the linker's map.

@@ -71,16 +71,16 @@ configured fetched fetched/build $commands >fetched.log 2>&1 && cmake --build fe
     fetched/build/consumer want.bin && : >fetched.log
 verdict package_cmake_fetchcontent fetched.log
 [ "$(od -An -v -tx2 -w2 want.bin | sort -u | wc -l)" -ge 3 ] || bad package_picture 'no cube can be seen'
-lib="$work/fetched/build/_deps/zstrip-build/libzstrip.a"
-panel="$work/fetched/build/_deps/zstrip-build/libzstrip_panel.a"
-# The other way to have its sources in a project compiles them by the same commands: they are looked at, not built again
+libraries=$work/fetched/build/_deps/zstrip-build
+lib=$libraries/libzstrip.a panel=$libraries/libzstrip_panel.a
+# The other way to have its sources in a project compiles them by the same commands: these are compared, and not run
 consumer added <<END
-add_subdirectory("$zs" at)
+add_subdirectory("$zs" zstrip_added)
 END
 by() { # FOLDER, where zstrip is built in it
     sed "s|/$1/|/IN/|g; s|$2|AT|g" "$1/build/compile_commands.json" >"$1.txt"
 }
-{ configured added added/build $commands && by added "\<at\>" && by fetched _deps/zstrip-build &&
+{ configured added added/build $commands && by added zstrip_added && by fetched _deps/zstrip-build &&
     [ "$(grep -c '"file":.*/src/' added.txt)" -gt 100 ] && diff added.txt fetched.txt; } >added.log 2>&1 && : >added.log
 verdict package_cmake_add_subdirectory added.log
 { configured "$zs" installing -DCMAKE_INSTALL_PREFIX="$work/root" -DZSTRIP_VARYINGS_MAX=8 &&
