@@ -27,11 +27,22 @@
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import * as fs from 'node:fs';
+import * as os from 'node:os';
 import * as path from 'node:path';
 
 const ARM = process.env.ARM || 'arm-none-eabi-';
-const run = (tool, ...args) => execFileSync(ARM + tool, args, { encoding: 'latin1', maxBuffer: 1 << 28,
-    stdio: ['ignore', 'pipe', 'ignore'] }).split('\n');
+// What a tool says, by way of a file: 100 MB of lines, of which few become strings. All tools are asked before anything
+// is read, each of all files at once: to begin takes them longer than an object, and node, once it is large, takes
+// longer still to start them.
+const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'stack-'));
+process.on('exit', () => fs.rmSync(scratch, { recursive: true, force: true }));
+let asked = 0;
+function ask(tool, options, files) {
+    const name = path.join(scratch, `said${asked++}`), to = fs.openSync(name, 'w');
+    execFileSync(ARM + tool, [...options, ...files], { stdio: ['ignore', to, 'ignore'] });
+    fs.closeSync(to);
+    return name;
+}
 
 // Calls that are refused before a frame is drawn, so that a shader made of another one is never in itself:
 // zs_layered_set takes no layer and no shader with a span of its own, zs_filtered_set neither those nor a filtered one
@@ -58,13 +69,33 @@ const add = (map, key, value) => {
 
 // ---- Debug information --------------------------------------------------------------------------
 
-// Entries by their offset: tag, attributes by name, entries in them.
-function debug_entries(lines) {
+// Attributes that are asked for below
+const ATTRIBUTES = new Set(['name', 'type', 'abstract_origin', 'specification', 'decl_line', 'decl_file',
+    'data_member_location', 'byte_size']);
+// Of these nothing is asked
+const UNUSED = /call_site/;
+const [NEWLINE, BLANK, LESS, COLON] = ['\n', ' ', '<', ':'].map((c) => c.charCodeAt(0));
+
+// Entries by their offset: tag, attributes by name, entries in them. Of an entry readelf says " <1><2a>: Abbrev Number:
+// 5 (DW_TAG_member)", of an attribute "    <2b>   DW_AT_name        : (indirect string, offset: 0x1a3): lit".
+function debug_entries(bytes) {
     const at = new Map(), open = [];
     let entry;
-    for (const line of lines) {
-        let m = /^ <(\d+)><([0-9a-f]+)>: Abbrev Number: \d+ \(DW_TAG_(\w+)\)/.exec(line);
-        if (m) {
+    for (let from = 0, end; from < bytes.length; from = end + 1) {
+        end = bytes.indexOf(NEWLINE, from);
+        if (end < 0)
+            end = bytes.length;
+        if (bytes[from] !== BLANK)
+            continue;
+        if (bytes[from + 1] === LESS) {
+            const m = /^ <(\d+)><([0-9a-f]+)>: Abbrev Number: \d+ \(DW_TAG_(\w+)\)/
+                .exec(bytes.latin1Slice(from, end));
+            if (!m)
+                continue;
+            if (UNUSED.test(m[3])) {
+                entry = undefined;
+                continue;
+            }
             const depth = Number(m[1]);
             entry = { tag: m[3], inside: [] };
             at.set(parseInt(m[2], 16), entry);
@@ -72,18 +103,68 @@ function debug_entries(lines) {
             if (depth)
                 open[depth - 1].inside.push(entry);
             open[depth] = entry;
-        } else if (entry && (m = /^ +<[0-9a-f]+> +DW_AT_(\w+) *: (.*)$/.exec(line))) {
-            const type = /^<0x([0-9a-f]+)>/.exec(m[2]);
-            entry[m[1]] = type ? parseInt(type[1], 16) : m[2].replace(/^\(indirect.*?\): /, '').trim();
+            continue;
         }
+        let name = from;
+        while (name < end && bytes[name] !== 0x44) // D: offsets have small letters
+            name++;
+        name += 'DW_AT_'.length;
+        let past = name;
+        while (past < end && bytes[past] !== BLANK && bytes[past] !== COLON)
+            past++;
+        const attribute = entry && past < end && bytes.latin1Slice(name, past);
+        if (!ATTRIBUTES.has(attribute))
+            continue;
+        const m = /^ *: (.*)$/.exec(bytes.latin1Slice(past, end));
+        const type = m && /^<0x([0-9a-f]+)>/.exec(m[1]);
+        if (m)
+            entry[attribute] = type ? parseInt(type[1], 16) : m[1].replace(/^\(indirect.*?\): /, '').trim();
     }
     return at;
 }
+// Those of functions and of const tables: { from or table, offset, type, name }
+function read_relocations(bytes) {
+    const found = [];
+    let from, table;
+    for (const line of bytes.toString('latin1').split('\n')) {
+        const section = /^RELOCATION RECORDS FOR \[(.*)\]/.exec(line)?.[1];
+        if (section !== undefined) {
+            from = /^\.text\.(?:unlikely\.|hot\.)?(.*)$/.exec(section)?.[1];
+            table = /^\.(?:rodata|data|data\.rel\.ro|data\.rel\.ro\.local)\.(.*)$/.exec(section)?.[1];
+        }
+        const m = from || table ? /^([0-9a-f]+) (R_ARM_\w+) +([^.\s][^\s+]*)/.exec(line) : null;
+        if (m)
+            found.push({ from, table, offset: parseInt(m[1], 16), type: m[2], name: m[3] });
+    }
+    return found;
+}
+// The call graph: nodes { name, bytes, kind }, edges { from, to, file, line, column }
+function read_graph(name, lines) {
+    const title = (s) => (s.includes(':') ? `${name}:${s.slice(s.lastIndexOf(':') + 1)}` : s);
+    const nodes = [], edges = [];
+    for (const line of lines) {
+        let m = /^node: \{ title: "([^"]*)".*?(\d+) bytes \(([a-z,]*)\)/.exec(line);
+        if (m)
+            nodes.push({ title: m[1], name: title(m[1]), bytes: Number(m[2]), kind: m[3] });
+        m = /^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"(?: label: "(.*):(\d+):(\d+)")?/.exec(line);
+        if (m)
+            edges.push({ from: title(m[1]), to: title(m[2]), indirect: m[2] === '__indirect_call', file: m[3],
+                line: Number(m[4]), column: Number(m[5]) });
+    }
+    return { nodes, edges };
+}
 
+const there = new Map();
+function exists(file) {
+    if (!there.has(file))
+        there.set(file, fs.existsSync(file));
+    return there.get(file);
+}
 // OBJECT, and what readelf and objdump say of it
 function read_unit(object, debug, relocations) {
-    const unit = { object, name: path.basename(object, '.o'), at: debug_entries(debug), relocations,
-        variables: new Map(), functions: new Map(), local_functions: new Set(), global_functions: new Set() };
+    const unit = { object, name: path.basename(object, '.o'), at: debug_entries(debug),
+        relocations: read_relocations(relocations), variables: new Map(), functions: new Map(),
+        local_functions: new Set(), global_functions: new Set() };
     // The type itself, without typedef and const
     unit.bare = (offset) => {
         let type = unit.at.get(offset);
@@ -109,45 +190,54 @@ function read_unit(object, debug, relocations) {
             unit.functions.set(name, entry);
     }
     unit.file = [...unit.at.values()].find((e) => e.tag === 'compile_unit').name;
-    unit.graph = fs.readFileSync(object.replace(/\.o$/, '.su'), 'latin1').split('\n');
+    unit.graph = read_graph(unit.name, fs.readFileSync(object.replace(/\.o$/, '.su'), 'latin1').split('\n'));
+    unit.own = fs.readFileSync(object.replace(/\.o$/, '.d'), 'utf8').split(/[\s\\]+/).slice(1)
+        .filter((f) => f && !f.startsWith('/') && exists(f)); // its sources
     return unit;
 }
-// What a tool says of each of these objects, lines by object; NEW finds the object in the line that begins it.
-function said_of(objects, new_object, tool, ...options) {
-    const lines = new Map();
-    let now;
-    for (const line of run(tool, ...options, ...objects)) {
-        const object = objects.length > 1 ? new_object.exec(line)?.[1] : objects[0];
-        if (object && !lines.has(object))
-            lines.set(object, now = []);
-        now?.push(line);
+// What a tool has said of each of these files, bytes by file. It begins with a line that has BEFORE, the file, AFTER.
+function said_of(files, before, after, answer) {
+    const bytes = fs.readFileSync(answer), said = new Map();
+    let now, from = 0;
+    for (const file of files.length > 1 ? files : []) {
+        const at = bytes.indexOf(`\n${before}${file}${after}`, from, 'latin1');
+        if (at < 0)
+            throw new Error(`${answer} says nothing of ${file}`);
+        if (now)
+            said.set(now, bytes.subarray(from, at));
+        now = file;
+        from = at + 1;
     }
-    return lines;
+    return said.set(now ?? files[0], bytes.subarray(from));
 }
-// The units of a folder. Folders that differ in a few objects share the others: one is read once, by its bytes. And
-// tools are asked of all new objects at once: to begin takes them longer than an object.
-const known = new Map();
-function units_of(dir) {
-    const keys = [], fresh = new Map();
-    for (const f of fs.readdirSync(dir).filter((one) => one.endsWith('.o'))) {
+// Folders, and of each its units and what is said of its program. Folders that differ in a few objects share the
+// others: one is read once, by its bytes.
+function read_folders(dirs) {
+    const fresh = new Map(), known = new Map(), elves = dirs.map((dir) => path.join(dir, 'all.elf'));
+    const keys_in = dirs.map((dir) => fs.readdirSync(dir).filter((one) => one.endsWith('.o')).map((f) => {
         const object = path.join(dir, f), su = object.replace(/\.o$/, '.su');
-        keys.push(f + createHash('sha1').update(fs.readFileSync(object)).update(fs.readFileSync(su)).digest('hex'));
-        if (!known.has(keys.at(-1)))
-            fresh.set(object, keys.at(-1));
+        const key = f + createHash('sha1').update(fs.readFileSync(object)).update(fs.readFileSync(su)).digest('hex');
+        if (!fresh.has(key))
+            fresh.set(key, object);
+        return key;
+    }));
+    const objects = [...fresh.values()];
+    const answers = [
+        ask('readelf', ['--debug-dump=info'], objects), ask('objdump', ['-r'], objects),
+        ask('nm', ['--plugin=', '-A'], objects),
+        ask('nm', ['--plugin='], elves), ask('objdump', ['-d', '--no-show-raw-insn'], elves),
+    ];
+    const relocations = said_of(objects, '', ':', answers[1]);
+    for (const [object, debug] of said_of(objects, 'File: ', '\n', answers[0]))
+        known.set(object, read_unit(object, debug, relocations.get(object)));
+    for (const line of fs.readFileSync(answers[2], 'latin1').split('\n')) {
+        const m = /^(.*?):[0-9a-f]* *([tTwW]) ([^$.]\S*)$/.exec(line);
+        if (m)
+            known.get(m[1])[m[2] === 't' ? 'local_functions' : 'global_functions'].add(m[3]);
     }
-    if (fresh.size) {
-        const objects = [...fresh.keys()];
-        const debug = said_of(objects, /^File: (.*)$/, 'readelf', '--debug-dump=info');
-        const relocations = said_of(objects, /^(.*): +file format /, 'objdump', '-r');
-        for (const [object, key] of fresh)
-            known.set(key, read_unit(object, debug.get(object), relocations.get(object)));
-        for (const line of run('nm', '--plugin=', '-A', ...objects)) {
-            const m = /^(.*?):[0-9a-f]* *([tTwW]) ([^$.]\S*)$/.exec(line);
-            if (m)
-                known.get(fresh.get(m[1]))[m[2] === 't' ? 'local_functions' : 'global_functions'].add(m[3]);
-        }
-    }
-    return keys.map((key) => known.get(key));
+    const names = said_of(elves, '', ':', answers[3]), code = said_of(elves, '', ':', answers[4]);
+    return new Map(dirs.map((dir, n) => [dir, { units: keys_in[n].map((key) => known.get(fresh.get(key))),
+        names: names.get(elves[n]), code: code.get(elves[n]) }]));
 }
 
 // Fields and variables that hold functions and that an expression like a->b.c may mean: their keys. [] where none does.
@@ -179,6 +269,40 @@ function source(file) {
             .replace(/\/\*[\s\S]*?\*\/|\/\/[^\n]*/g, (c) => c.replace(/[^\n]/g, ' ')));
     return sources.get(file);
 }
+// What FACT finds in a file, once for all units that have it
+const once = (fact) => {
+    const known_of = new Map();
+    return (...args) => {
+        const key = args.join(' ');
+        if (!known_of.has(key))
+            known_of.set(key, fact(...args));
+        return known_of.get(key);
+    };
+};
+const READ = new RegExp(`(${CHAIN})\\s*(\\(?)`, 'g');
+const ASSIGNED = new RegExp(`(?<![\\w>.])(${CHAIN})\\s*=(?!=)([^;]*);`, 'g');
+const DECLARED = /\(\s*\*\s*(?:const\s+)?(\w+)\s*\)\s*\([^()]*\)\s*=(?!=)([^;]*);/g;
+// { to, value } of each assignment, declarations of pointers to functions among them
+const assignments = once((file) => [ASSIGNED, DECLARED].flatMap((pattern) =>
+    [...source(file).matchAll(pattern)].map((m) => ({ to: m[1], value: m[2] }))));
+// Arguments of each call of a function in a file
+const arguments_of = once((name, file) => {
+    const text = source(file), all = [];
+    for (const m of text.matchAll(new RegExp(`\\b${name}\\s*\\(`, 'g'))) {
+        const given = [''];
+        for (let at = m.index + m[0].length, depth = 1; at < text.length; at++) {
+            depth += '([{'.includes(text[at]) ? 1 : ')]}'.includes(text[at]) ? -1 : 0;
+            if (!depth)
+                break;
+            if (text[at] === ',' && depth === 1)
+                given.push('');
+            else
+                given[given.length - 1] += text[at];
+        }
+        all.push(given);
+    }
+    return all;
+});
 // Whether anything is wrong with a folder. Arguments are a line's of LIST; say takes a line of what is found.
 function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
     const OUTSIDE = new Set(outside_list.split(','));
@@ -190,7 +314,7 @@ function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
 
     // ---- Facts --------------------------------------------------------------------------------------
 
-    const units = units_of(DIR);
+    const { units, names: symbols, code } = folders.get(DIR);
     const frame = new Map(); // FUNCTION -> bytes; static ones are UNIT:NAME, as two units may have one of a name
     const calls = new Map(); // FUNCTION -> those that it calls
     const pointers = [];     // { from, unit, file, line, column }
@@ -205,33 +329,25 @@ function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
     }
 
     for (const unit of units) {
-        const title = (s) => (s.includes(':') ? `${unit.name}:${s.slice(s.lastIndexOf(':') + 1)}` : s);
-        for (const line of unit.graph) {
-            let m = /^node: \{ title: "([^"]*)".*?(\d+) bytes \(([a-z,]*)\)/.exec(line);
-            if (m) {
-                frame.set(title(m[1]), Number(m[2]));
-                if (m[3] !== 'static')
-                    fail('fixed frames', `${m[1]} ${m[3]}`);
-            }
-            m = /^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"(?: label: "(.*):(\d+):(\d+)")?/.exec(line);
-            if (m && m[2] === '__indirect_call')
-                pointers.push({ from: title(m[1]), unit, file: m[3], line: Number(m[4]), column: Number(m[5]) });
-            else if (m)
-                add(calls, title(m[1]), title(m[2]));
+        for (const { title, name, bytes, kind } of unit.graph.nodes) {
+            frame.set(name, bytes);
+            if (kind !== 'static')
+                fail('fixed frames', `${title} ${kind}`);
         }
-        let section = '';
-        for (const line of unit.relocations) {
-            section = /^RELOCATION RECORDS FOR \[(.*)\]/.exec(line)?.[1] ?? section;
-            const m = /^([0-9a-f]+) (R_ARM_\w+) +([^.\s][^\s+]*)/.exec(line);
-            const from = /^\.text\.(?:unlikely\.|hot\.)?(.*)$/.exec(section)?.[1];
-            const table = /^\.(?:rodata|data|data\.rel\.ro|data\.rel\.ro\.local)\.(.*)$/.exec(section)?.[1];
-            const target = m && unit.function(m[3]);
-            if (m && from && /^R_ARM_THM_(CALL|JUMP)/.test(m[2]))
-                add(calls, unit.function(from), target ?? m[3]);
+        for (const { from, to, indirect, file, line, column } of unit.graph.edges) {
+            if (indirect)
+                pointers.push({ from, unit, file, line, column });
+            else
+                add(calls, from, to);
+        }
+        for (const { from, table, offset, type, name } of unit.relocations) {
+            const target = unit.function(name);
+            if (from && /^R_ARM_THM_(CALL|JUMP)/.test(type))
+                add(calls, unit.function(from), target ?? name);
             else if (target && from)
                 taken.set(target, from);
             else if (target && table)
-                of_tables.push({ unit, table, offset: parseInt(m[1], 16), target });
+                of_tables.push({ unit, table, offset, target });
         }
     }
 
@@ -261,7 +377,7 @@ function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
 
     // What an expression may give: functions that it names, what it reads, what functions return that it calls.
     function values(unit, text, to) {
-        for (const m of text.matchAll(new RegExp(`(${CHAIN})\\s*(\\(?)`, 'g'))) {
+        for (const m of text.matchAll(READ)) {
             const fn = unit.function(m[1]);
             if (m[2] && unit.is_code(unit.functions.get(m[1])?.type))
                 add(holds, to, `@return of ${unit.name}:${m[1]}`);
@@ -271,39 +387,16 @@ function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
                 keys_of(unit, m[1]).forEach(({ key }) => add(holds, to, `@${key}`));
         }
     }
-    // Arguments of each call of a function in a text
-    function* arguments_of(name, text) {
-        for (const m of text.matchAll(new RegExp(`\\b${name}\\s*\\(`, 'g'))) {
-            const given = [''];
-            for (let at = m.index + m[0].length, depth = 1; at < text.length; at++) {
-                depth += '([{'.includes(text[at]) ? 1 : ')]}'.includes(text[at]) ? -1 : 0;
-                if (!depth)
-                    break;
-                if (text[at] === ',' && depth === 1)
-                    given.push('');
-                else
-                    given[given.length - 1] += text[at];
-            }
-            yield given;
-        }
-    }
     for (const unit of units) {
-        const own = fs.readFileSync(unit.object.replace(/\.o$/, '.d'), 'utf8').split(/[\s\\]+/).slice(1)
-            .filter((f) => f && !f.startsWith('/') && fs.existsSync(f));
-        for (const file of own) {
-            const text = source(file);
-            for (const m of text.matchAll(new RegExp(`(?<![\\w>.])(${CHAIN})\\s*=(?!=)([^;]*);`, 'g')))
-                keys_of(unit, m[1]).forEach(({ key }) => values(unit, m[2], key));
-            // its declaration
-            for (const m of text.matchAll(/\(\s*\*\s*(?:const\s+)?(\w+)\s*\)\s*\([^()]*\)\s*=(?!=)([^;]*);/g))
-                keys_of(unit, m[1]).forEach(({ key }) => values(unit, m[2], key));
-        }
+        for (const file of unit.own)
+            for (const { to, value } of assignments(file))
+                keys_of(unit, to).forEach(({ key }) => values(unit, value, key));
         for (const [name, entry] of unit.functions) {
             const parameters = entry.inside.filter((p) => p.tag === 'formal_parameter');
             parameters.forEach((parameter, n) => {
                 if (unit.is_code(parameter.type) && parameter.name)
-                    for (const file of own)
-                        for (const given of arguments_of(name, source(file)))
+                    for (const file of unit.own)
+                        for (const given of arguments_of(name, file))
                             values(unit, given[n] ?? '', `${unit.name}:${parameter.name}`);
             });
         }
@@ -357,15 +450,15 @@ function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
     // ---- Libraries ------------------------------------------------------------------------------------
 
     // FUNCTION -> bytes, of what a program has beside ours
-    function measure_helpers(elf) {
+    function measure_helpers() {
         const names = new Map(), own = new Map(), callees = new Map(), address = new Map(), deepest = new Map();
-        for (const line of run('nm', '--plugin=', elf)) {
+        for (const line of symbols.toString('latin1').split('\n')) {
             const m = /^(\S+) [tTwW] (\S+)$/.exec(line); // __aeabi_idiv and __divsi3 are one place
             if (m)
                 add(names, m[1], m[2]);
         }
         let f = '';
-        for (const line of run('objdump', '-d', '--no-show-raw-insn', elf)) {
+        for (const line of code.toString('latin1').split('\n')) {
             let m = /^([0-9a-f]+) <(.*)>:$/.exec(line);
             if (m) {
                 f = m[2];
@@ -403,7 +496,7 @@ function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
                     out.set(alias, deep(fn, 0));
         return out;
     }
-    const helper = measure_helpers(path.join(DIR, 'all.elf'));
+    const helper = measure_helpers();
 
     // ---- The bound ------------------------------------------------------------------------------------
 
@@ -462,8 +555,9 @@ function analyse(NAME, DIR, LIMIT, PREFIX, outside_list, EMPTY, SHOWN, say) {
     return failed;
 }
 
-for (const line of fs.readFileSync(0, 'utf8').split('\n').filter(Boolean)) {
-    const [name, dir, limit, prefix, outside, empty, ...shown] = line.split(/ +/);
+const list = fs.readFileSync(0, 'utf8').split('\n').filter(Boolean).map((line) => line.split(/ +/));
+const folders = read_folders(list.map(([, dir]) => dir));
+for (const [name, dir, limit, prefix, outside, empty, ...shown] of list) {
     const found = [];
     if (analyse(name.replaceAll('_', ' '), dir, limit, prefix, outside, empty, shown, (text) => found.push(text)))
         process.exitCode = 1;
