@@ -1,12 +1,12 @@
-// node inside.mjs GLASSxSIZE PICTURExSIZE X Y [GLASS.bin PICTURE.bin]...: is each picture what its glass shows from X, Y
-// on, with black around it? RGB565, row by row. Says what is not so; nothing where all is.
+// node inside.mjs GLASSxSIZE PICTURExSIZE X Y [GLASS.bin PICTURE.bin]...: is each picture what its glass shows from X,
+// Y on, with black around it? RGB565, row by row. Says what is not so; nothing where all is.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
 
-const [glass_size, size, x0, y0] = process.argv.slice(2, 6).map((text) => text.split('x').map(Number)).map(
-    (numbers) => numbers.length > 1 ? numbers : numbers[0]);
-const [glass_w, glass_h] = glass_size, [w, h] = size;
+const [glass_size, size, ...at] = process.argv.slice(2, 6);
+const [glass_w, glass_h] = glass_size.split('x').map(Number), [w, h] = size.split('x').map(Number);
+const [x0, y0] = at.map(Number);
 
 function look(glass_file, file) {
     const glass = fs.readFileSync(glass_file), picture = fs.readFileSync(file);
