@@ -53,9 +53,9 @@ place_of() { # TO
 
 # Three compilers' warnings, then by the fourth a program of the converted file and the library, which has sanitizers.
 # The file names the fields that it sets, which C++ takes since C++20; its header is for older C++ too. The three take
-# each form of file once: what differs in numbers alone, and in how many rows an array has, has the same form; a file
-# of megabytes has that of others, with more meshes. The fourth takes all, and a number that does not fit is an error
-# there.
+# each form of file once, to an assembler's text, which ccache keeps: what differs in numbers alone, and in how many
+# rows an array has, has the same form; a file of megabytes has that of others, with more meshes. The fourth takes all,
+# and a number that does not fit is an error there.
 checked=' ' # checksums of forms
 form_of() { # FILE...    what is left of them without numbers, names and comments, as a checksum
     cat "$@" | sed 's/[0-9][0-9a-fx.]*/0/g; s/-0/0/g; s/"[^"]*"/""/g
@@ -82,15 +82,16 @@ compile() { # TO PROGRAM.c
 }
 syntax() { # TO
     for compiler in 'g++ -x c++ -std=c++20' 'clang -std=c11' 'clang++ -x c++ -std=c++20'; do
-        $compiler -Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers -fsyntax-only \
-            $(varyings_of "$1") -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 ||
+        $compiler -Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers -MMD -S $(varyings_of "$1") \
+            -I"$top/firmware/zstrip" "$1/m.c" -o "$1/looked.s" >cc.log 2>&1 ||
             wrong "$compiler: $(head -c 400 cc.log)"
     done
 }
 header_syntax() { # TO
-    for compiler in 'g++ -x c++ -std=c++14' 'clang++ -x c++ -std=c++14'; do
-        $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only $(varyings_of "$1") -I"$top/firmware/zstrip" \
-            -include "$1/m.h" /dev/null >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
+    echo '#include "m.h"' >"$1/header.cc"
+    for compiler in 'g++ -std=c++14' 'clang++ -std=c++14'; do
+        $compiler -Wall -Wextra -Wpedantic -Werror -MMD -S $(varyings_of "$1") -I"$top/firmware/zstrip" \
+            "$1/header.cc" -o "$1/looked.s" >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
     done
 }
 for_a_cortex_m() { # TO    to/arm.o, if it is not there from the round trip
