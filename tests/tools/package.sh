@@ -66,23 +66,16 @@ include(FetchContent)
 FetchContent_Declare(zstrip URL "$work/zstrip-$version.tar.gz" SOURCE_DIR "$zs")
 FetchContent_MakeAvailable(zstrip)
 END
-commands=-DCMAKE_EXPORT_COMPILE_COMMANDS=ON
-configured fetched fetched/build $commands >fetched.log 2>&1 && cmake --build fetched/build -j2 >>fetched.log 2>&1 &&
+configured fetched fetched/build >fetched.log 2>&1 && cmake --build fetched/build -j2 >>fetched.log 2>&1 &&
     fetched/build/consumer want.bin && : >fetched.log
 verdict package_cmake_fetchcontent fetched.log
 [ "$(od -An -v -tx2 -w2 want.bin | sort -u | wc -l)" -ge 3 ] || bad package_picture 'no cube can be seen'
 libraries=$work/fetched/build/_deps/zstrip-build
 lib=$libraries/libzstrip.a panel=$libraries/libzstrip_panel.a
-# The other way to have its sources in a project compiles them by the same commands: these are compared, and not run
 consumer added <<END
 add_subdirectory("$zs" zstrip_added)
 END
-by() { # FOLDER, where zstrip is built in it
-    sed "s|/$1/|/IN/|g; s|$2|AT|g" "$1/build/compile_commands.json" >"$1.txt"
-}
-{ configured added added/build $commands && by added zstrip_added && by fetched _deps/zstrip-build &&
-    [ "$(grep -c '"file":.*/src/' added.txt)" -gt 100 ] && diff added.txt fetched.txt; } >added.log 2>&1 && : >added.log
-verdict package_cmake_add_subdirectory added.log
+built package_cmake_add_subdirectory added
 { configured "$zs" installing -DCMAKE_INSTALL_PREFIX="$work/root" -DZSTRIP_VARYINGS_MAX=8 &&
     cmake --build installing -j2 && cmake --install installing; } >install.log 2>&1 && : >install.log
 verdict package_cmake_installs install.log
