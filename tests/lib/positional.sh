@@ -16,8 +16,8 @@ designated_headers() {
     done
 }
 
-# TO OPTION... -- FILE...: "file:line" of positional initialisers, but { 0 }, and errors, by gcc. TO is written over:
-# what is said of each file is kept by ccache, where that is installed (tests/lib/ccache.sh).
+# TO OPTION... -- FILE...: "file:line" of positional initialisers, but { 0 }, and errors, by gcc. Each file is compiled
+# to TO, in a call of its own: ccache keeps what gcc says of it, and nothing of -fsyntax-only (tests/lib/ccache.sh).
 positional() {
     to=$1 options=''
     shift
@@ -26,11 +26,9 @@ positional() {
         shift
     done
     shift
-    id=$({ gcc --version && cat tests/lib/looking_gcc.sh; } | cksum | tr -d ' ')
     for file in "$@"; do
-        # shellcheck disable=SC2046,SC2086
-        LC_ALL=C CCACHE_COMPILERTYPE=gcc CCACHE_COMPILERCHECK=string:$id $(command -v ccache) \
-            tests/lib/looking_gcc.sh $options -Wdesignated-init -fdiagnostics-color=never -MMD -c "$file" -o "$to"
+        # shellcheck disable=SC2086
+        LC_ALL=C gcc $options -Wdesignated-init -fdiagnostics-color=never -MMD -S "$file" -o "$to"
     done 2>&1 | awk '
         / error: / { print; next }
         /\[-Wdesignated-init\]/ {
