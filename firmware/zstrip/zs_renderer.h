@@ -52,7 +52,8 @@ struct zs_view {
     uint8_t piece_shift;   /* a triangle whose three vertices have the same (piece_base - d) >>
                               piece_shift lies in one octave: its keys are linear. 0: there is no
                               such test */
-    uint8_t pixelwise;     /* 1: the mapping computes every pixel's key by itself */
+    uint8_t pixelwise;     /* 1: the mapping computes every pixel's key by itself; 2: and may be
+                              more than a margin of 0.13 bucket beside that of the vertices */
     uint8_t key_octaves;   /* float: 2^exponent bits - 1 */
     uint8_t key_fraction;  /* float: bits of an octave's codes, uq16_16: mantissa bits + 16 */
     uint8_t key_common;    /* float: number of octaves from octave 2 to the one that ends at near

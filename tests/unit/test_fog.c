@@ -300,12 +300,34 @@ static void fog_without_keys_and_changes(void **state)
     }
 }
 
+/* No fog up to far: what shows that there is no surface is sky all the same, and masked pixels are left. */
+static void sky_beyond_clear_air(void **state)
+{
+    const struct zs_config c = picture_config(40, 30, &zs_depth_float);
+    const uint16_t depth[4] = { 100, ZS_DEPTH_CLEAR - 1u, 0, ZS_DEPTH_CLEAR };
+    struct zs_camera camera;
+    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 30, 10, 3000), ZS_OK);
+    for (uint8_t sky = 0; sky < 8; sky++) {
+        uint16_t color[4] = { 1, 2, 3, 4 };
+        const struct zs_target t = { .color = color, .depth = (uint16_t *)depth, .y1 = 1, .x1 = 4, .pitch = 4 };
+        struct zs_fog fog = { .color = 0x1234, .start = 5000, .end = 9000, .sky = sky };
+        assert_int_equal(zs_fog_set(&fog, &c, &camera), ZS_OK);
+        zs_fog_draw(&fog, &t);
+        const int paints = sky & ZS_FOG_SKY, windows = sky & ZS_FOG_WINDOWS;
+        assert_int_equal(color[0], 1);
+        assert_int_equal(color[1], paints && windows ? 0x3412 : 2);
+        assert_int_equal(color[2], 3);
+        assert_int_equal(color[3], paints ? 0x3412 : 4);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     CASES_COUNTS(fog_is_that_of_the_distance, key_case, 1000,
                  { "scenes", &set, 850 }, { "pixels that are mixed", &mixed, 30000 }),
     cmocka_unit_test(a_floor_in_fog),
     CASES_COUNTS(any_way_draws_the_same, way_case, 100, { "scenes", &set, 30 }),
     cmocka_unit_test(wrong_fog_is_named),
+    cmocka_unit_test(sky_beyond_clear_air),
     cmocka_unit_test(fog_without_keys_and_changes),
 };
 CASES_MAIN(tests)

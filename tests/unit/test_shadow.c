@@ -171,6 +171,27 @@ static void vertices(void **state)
            1 / worst_size);
 }
 
+/* Shadows of less than a world unit: a sphere that hides less than its vertices would cull what is in view. */
+static int small_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct thing t;
+    static int16_t flat[VERTS][3];
+    struct zs_mesh mesh;
+    struct zs_instance shadow;
+    thing_make(&t, &p, 0);
+    t.light.point = 0;
+    t.instance.pose.scale = 65536u / t.mesh.radius / (1 + prng_pick(&p, 20)) + 1;
+    CASE_CHECK(zs_shadow_flatten(&shadow, &mesh, flat, &t.instance, &t.plane, &t.light) == ZS_OK);
+    for (uint32_t v = 0; v < VERTS; v++) {
+        const double at[3] = { flat[v][0], flat[v][1], flat[v][2] };
+        if (dot(at, at) > (double)mesh.radius * mesh.radius)
+            return case_wrong("vertex %u is %g steps from the middle of a sphere of %u", v, sqrt(dot(at, at)),
+                              mesh.radius);
+    }
+    return 1;
+}
+
 /* ---- Pixels ------------------------------------------------------------------------------------ */
 
 static unsigned dark;
@@ -470,6 +491,7 @@ static void shaders_refuse(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(vertices),
+    CASES_TEST(spheres_hold_small_shadows, small_case, 2000),
     CASES_COUNT(darkened_once, pixels_case, 400, &dark, 50000, "dark pixels"),
     CASES_COUNT(columns_alone, columns_case, 60, &parts, 100, "frames of which parts were left out"),
     cmocka_unit_test(a_disc),

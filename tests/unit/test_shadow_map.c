@@ -342,6 +342,32 @@ static void stress_47_odd_maps_and_lights(void **state)
     assert_int_equal(darker(&s), 0);
 }
 
+/* A mesh whose sphere is wrong: a vertex far outside of it has a place all the same, at the end of its range. */
+static void a_vertex_far_outside_its_sphere(void **state)
+{
+    (void)state;
+    static struct place s;
+    struct prng p = { 4 };
+    static const int16_t far[4][3] = { { -32768, 0, 32767 }, { 32767, 0, 32767 }, { 32767, 0, -32768 },
+                                       { -32768, 0, -32768 } };
+    static const int16_t middle[2][3] = { { 32767, 0, -32768 }, { 0 } };
+    for (int k = 0; k < 4; k++) {
+        assert_int_equal(place_make(&s, &p), ZS_OK);
+        assert_int_equal(map_draw(&s, NULL), ZS_OK);
+        struct zs_mesh wrong = ground;
+        wrong.pos = far;
+        wrong.radius = (uint16_t)(k & 1);
+        memcpy(wrong.center, middle[k / 2], sizeof wrong.center);
+        s.thing[0].mesh = &wrong;
+        s.thing[0].pose.scale = 65536;
+        s.scene.n_instances = 1;
+        const struct zs_config c = picture_config(80, 60, &zs_depth_float);
+        struct picture is = picture_draw(&c, &s.scene, &s.camera);
+        assert_int_equal(is.err, ZS_OK);
+        picture_free(&is);
+    }
+}
+
 static void errors(void **state)
 {
     (void)state;
@@ -447,6 +473,7 @@ static const struct CMUnitTest tests[] = {
     CASES_TEST(any_way, way_case, 60),
     CASES_TEST(colors_without_casters, colors_case, 60),
     cmocka_unit_test(stress_47_odd_maps_and_lights),
+    cmocka_unit_test(a_vertex_far_outside_its_sphere),
     cmocka_unit_test(errors),
 };
 CASES_MAIN(tests)

@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -15,6 +16,7 @@
 #include "internals.h"
 #include "prng.h"
 #include "shapes.h"
+#include "zs_method.h"
 
 #define QUADS_MAX 10
 #define SCALE 64 /* world units to a step of the mesh */
@@ -439,6 +441,78 @@ static void keys_above_the_farthest_corner_count(void **state)
     assert_true(shown > 1000 && hidden > 300);
 }
 
+/* Linear keys under perspective in a slab that is thin beside its distance: a pixel's key may be half a bucket beside
+ * those of the vertices, so that no margin tells what is hidden. */
+static void thin_begin(struct prng *p, uint32_t n, int32_t far)
+{
+    static uint8_t lo[QUADS_MAX][4][3];
+    memset(lo, 0, sizeof lo);
+    for (uint32_t i = 0; i < n; i++)
+        quad(p, i, prng_range(p, 4000, 16000), 0, 0);
+    begin(p, n, 1);
+    assert_int_equal(zs_camera_perspective(&world.camera, 11, 60, 1, 2 * far), ZS_OK);
+    for (uint32_t i = 0; i < n; i++) {
+        for (int k = 0; k < 4; k++) /* most are parallel to the screen, less than a bucket apart */
+            lo[i][k][2] = k && prng_pick(p, 8) ? lo[i][0][2] : (uint8_t)prng_pick(p, 16);
+        world.mesh[i].scale = ZS_Q16_ONE;
+        world.mesh[i].pos_lo = (const uint8_t(*)[3])lo[i];
+        world.instance[i].pose.pos[2] = -far;
+    }
+}
+
+static uint32_t thin_drawn(struct prng *p, uint64_t seed)
+{
+    static const struct zs_method *const methods[2] = { NULL, &zs_method_hiz };
+    struct zs_config c = picture_config(80, 60, &zs_depth_linear);
+    c.fast = NULL;
+    struct picture plain = picture_draw(&c, &world.scene, &world.camera);
+    assert_int_equal(plain.err, ZS_OK);
+    for (int k = 0; k < 4; k++) {
+        struct zs_config other = c;
+        other.method = methods[k / 2];
+        other.strip_h = (uint16_t)prng_range(p, 8, 40);
+        other.fast = k < 2 ? fast_of(k ? FAST_ALL : FAST_TILES) : NULL;
+        struct picture got = picture_draw(&other, &world.scene, &world.camera);
+        if (!picture_same(&plain, &got, k < 2 ? "tiles" : "hiz"))
+            fail_msg("seed %llu", (unsigned long long)seed);
+        picture_free(&got);
+    }
+    const uint32_t covered = plain.covered;
+    picture_free(&plain);
+    return covered;
+}
+
+static void keys_of_a_thin_slab_hide_nothing(void **state)
+{
+    uint32_t shown = 0;
+    for (uint64_t seed = 1; seed <= 200; seed++) {
+        struct prng p = { seed };
+        const int32_t far = (1 << 24) - prng_range(&p, 60000, 1 << 21), thick = prng_range(&p, 300, 900);
+        thin_begin(&p, 4 + prng_pick(&p, QUADS_MAX - 3), far); /* camera units are 1/64 of a unit */
+        world.camera.z_near = ((int64_t)far - thick) * 65536;
+        world.camera.z_far = ((int64_t)far + thick) * 65536;
+        shown += thin_drawn(&p, seed) > 1000;
+    }
+    assert_true(shown > 150);
+    /* A pair that is one camera unit apart, the farther one first: half a bucket, and the keys differ. */
+    struct prng p = { 1 };
+    thin_begin(&p, 2, 15190929);
+    for (uint32_t i = 0; i < 2; i++) {
+        static uint8_t part[2][4][3];
+        for (int k = 0; k < 4; k++) {
+            world.pos[i][k][0] = k == 1 || k == 2 ? 30000 : -30000;
+            world.pos[i][k][1] = k > 1 ? 30000 : -30000;
+            part[i][k][2] = i ? 180 : 176; /* 972219412 and 972219411 units from the eye */
+        }
+        world.mesh[i].tri = halves[0];
+        world.mesh[i].radius = 42428;
+        world.mesh[i].pos_lo = (const uint8_t(*)[3])part[i];
+    }
+    world.camera.z_near = (int64_t)972161463 * 1024;
+    world.camera.z_far = (int64_t)(972161463 + 101252) * 1024;
+    assert_int_equal(thin_drawn(&p, 0), 80 * 60);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_same), cmocka_unit_test(layers_cost_one),
@@ -447,6 +521,7 @@ int main(void)
                                         cmocka_unit_test(half_hidden_is_drawn),
                                         cmocka_unit_test(a_sphere_before_near_hides_nothing),
                                         cmocka_unit_test(a_long_side_covers_no_more_than_it_does),
-                                        cmocka_unit_test(keys_above_the_farthest_corner_count) };
+                                        cmocka_unit_test(keys_above_the_farthest_corner_count),
+                                        cmocka_unit_test(keys_of_a_thin_slab_hide_nothing) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

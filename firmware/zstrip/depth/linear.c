@@ -10,8 +10,9 @@
  *                                     out
  *   steps, at most 2^13 of 2^-24 ulp  r * 2^-50
  *   truncation to 32 bits, reciprocal 2^-31 + 2^-30
- * Times z / (f - n) * 65535 buckets: below 0.005 for r <= 2^15 and f >= 2n. For each pixel, a
- * 64-bit sum takes two instructions, the reciprocal about forty.
+ * Times z / (f - n) * 65535 buckets: below 0.005 for r <= 2^15 and f >= 2n, and below 0.1 for f - n
+ * >= f / 1024. In a slab thinner than that no margin of a key holds (pixelwise 2). For each pixel,
+ * a 64-bit sum takes two instructions, the reciprocal about forty.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -23,7 +24,6 @@
 static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     view->screen_linear = !view->perspective;
-    view->pixelwise = view->perspective;
     view->piece_shift = view->perspective ? 0u : 31u;
     view->key_top = ((1u << bits) - 1u) << 16;
     view->piece_base = view->key_top + 0xffffu;
@@ -31,6 +31,8 @@ static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *ca
     view->key_slow = view->key_known = 0;
     /* C = (B - 1) / ((f - n) in camera units) as key_mul / 2^key_shift, key_mul in [2^30, 2^31) */
     const uint64_t range = (uint64_t)(camera->z_far - camera->z_near); /* q48_16, < 2^61 */
+    const int thin = range < (uint64_t)camera->z_far >> 10;
+    view->pixelwise = (uint8_t)(view->perspective << thin);
     const int lz = zs_clz64(range);
     const uint64_t c = zs_muldiv_u64((uint64_t)(view->key_top >> 16) << 46, (uint64_t)1 << 32,
                                      range << lz); /* [2^21, 2^31) */

@@ -21,6 +21,7 @@
 #define L_BITS 22     /* l and f are q10_22: below 2^30.1 */
 #define V_BITS 14     /* of a flattened vertex, before f */
 #define OUT_MAX 32700 /* steps: what the radius of a shadow is brought to, at most */
+#define ASIDE 0xddb4  /* q16: the most that Q is beside its anchor, half a unit along each axis */
 #define WORLD_Q16 ((int64_t)ZS_WORLD_MAX * 65536)
 
 struct flat {
@@ -210,9 +211,8 @@ int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t 
     const int err = fall(&f, caster, plane, light);
     if (err)
         return err;
-    /* the anchor is a world unit: Q is up to half a one beside it */
     int32_t e = -16;
-    while ((f.size + 0x8000) >> (16 + e) > OUT_MAX) /* size <= 2^45: e <= 15 */
+    while ((f.size + ASIDE) >> (16 + e) > OUT_MAX) /* size <= 2^45: e <= 15 */
         e++;
     matrix(&f, caster, plane->normal, e);
     int64_t frac[3];
@@ -230,7 +230,7 @@ int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t 
     mesh->n_verts = from->n_verts;
     mesh->n_tris = from->n_tris;
     mesh->scale = (zs_uq16_16)1 << (16 + e);
-    mesh->radius = (uint16_t)(((f.size + 0x8000) >> (16 + e)) + 2);
+    mesh->radius = (uint16_t)(((f.size + ASIDE) >> (16 + e)) + 2);
     shadow->mesh = mesh;
     shadow->pose = pose;
     return ZS_OK;

@@ -217,8 +217,8 @@ static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_verte
     const int32_t row_end = zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y));
     if (row_end - row < r->config.strip_h && (row_end < r->config.height || row >= row_end))
         return; /* it does not cover all rows of any strip */
-    if (!r->counting || r->xform.instance->depth_state)
-        return;      /* bounds are complete by now; a depth state changes the keys */
+    if (!r->counting || r->xform.instance->depth_state || r->view.pixelwise > 1)
+        return;      /* bounds are complete by now; keys are others, or not sure */
     if (!r->large) { /* the frame's first large triangle */
         zs_fill_run(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
         r->large = 1;

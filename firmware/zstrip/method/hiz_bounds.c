@@ -98,6 +98,8 @@ static int hides(const struct zs_renderer *r, struct zs_hiz *h, int32_t level, i
 uint32_t zs_hiz_nearest(const struct zs_renderer *r, uint32_t d)
 {
     const struct zs_depth *depth = r->view.depth;
+    if (r->view.pixelwise > 1)
+        return 0; /* no margin holds: nothing is hidden */
     const uint32_t key = depth->key ? depth->key(&r->view, d) : d; /* uq16_16, <= key_top */
     const uint32_t sum = key < MARGIN ? 0x8000u - MARGIN : key + (0x8000u - MARGIN);
     return zs_minu32(sum, r->view.key_top - 0x10000u); /* keys saturate here */

@@ -17,7 +17,8 @@
  *
  * The key of a pixel is at least the least key of the vertices minus `below`: planes are exact to
  * less than half a bucket where keys are linear on the screen, half a bucket is added before keys
- * are cut to whole buckets, and so `below` is 0; for other mappings it is 2.
+ * are cut to whole buckets, and so `below` is 0; for other mappings it is 2 (linear keys under
+ * perspective are at most 2^-31 of the distance too small, and far - near is at least 2^-16 of it).
  *
  * SPDX-License-Identifier: MIT
  */
