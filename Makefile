@@ -8,6 +8,7 @@ WARN = -Wall -Wextra -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
 # In tests a warning is an error, here and in firmware.mk; in other builds not, where another compiler may have more
 WERROR ?=
 test quick t check size stack: export WERROR = -Werror
+test quick: export BEGUN := $(shell date +%s)
 JOBS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 # Its lines begin with +, as make sees a make in a recipe only where it is written out
 MAKE_ALL = $(MAKE) --no-print-directory -j$(JOBS)
@@ -44,7 +45,7 @@ demo: sim
 ## test: set up and run every test
 test: $(B)/.setup-test
 	+@build=$(B); . tests/lib/ccache.sh; \
-	    $(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut $(B)/web/index.html
+	    $(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut && $(MAKE_ALL) web-page
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: each fifth of their random cases, without AddressSanitizer, of UBSan

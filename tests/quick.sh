@@ -37,6 +37,7 @@ for name; do
     echo "$(cat "$logs/$name.ms" 2>/dev/null || echo 999999) $name"
 done | sort -rn | cut -d ' ' -f 2 | xargs -P "$(nproc)" -n 1 sh tests/quick.sh "$build" one
 echo "$# programs in $(($(date +%s) - start)) s"
+[ -z "${BEGUN:-}" ] || echo "$(($(date +%s) - BEGUN)) s in all, with what was built"
 awk -v programs=$# '
     { passed += $1; failed += $2 }
     END {

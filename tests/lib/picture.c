@@ -98,14 +98,15 @@ static uint8_t *junk(uint32_t bytes)
     return arena;
 }
 
-/* px zeros; of many, those that are not looked at take no page */
+/* px zeros; of very many, those that are not looked at take no page */
+#define KEPT_MOST ((size_t)1 << 27)
 static uint16_t *blank(size_t px)
 {
     const size_t bytes = 2 * (px ? px : 1);
-    uint16_t *to = bytes > (1u << 20) ? calloc(bytes, 1) : sim_kept(bytes);
+    uint16_t *to = bytes > KEPT_MOST ? calloc(bytes, 1) : sim_kept(bytes);
     if (!to)
         abort();
-    return bytes > (1u << 20) ? to : memset(to, 0, bytes);
+    return bytes > KEPT_MOST ? to : memset(to, 0, bytes);
 }
 
 static struct picture drawn(const struct zs_config *config, const struct zs_pass *pass, uint32_t n)

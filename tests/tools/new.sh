@@ -145,7 +145,7 @@ if [ -d "$build/pico/node_modules" ]; then
     grep -qE '^flash_percent [0-9]+$' made.txt || wrong "no share of waits for the flash: $(tail -3 made.txt)"
     [ -s pico/build/pico/003.png ] && [ ! -e pico/build/pico/004.png ] || wrong 'not four pictures'
 else
-    note='SKIPPED: the emulator is not set up'
+    skipped 'the emulator of boards is not set up'
 fi
 
 begin new_test_sees_a_program_that_draws_nothing

@@ -116,9 +116,13 @@ one_line 1 'colors.mp4: cannot be written by ffmpeg: no encoder'
 PATH=$PWD/bare z render colors.obj --turntable 5 --out colors.mp4 --size 200x150
 one_line 1 'colors.mp4: is written by ffmpeg, which is not installed'
 is "what is left" "$(ls -A | grep -c 'colors.mp4')" 0
+
+begin mp4_of_ffmpeg_itself
 if command -v ffmpeg >/dev/null; then
     z render colors.obj --shade smooth --turntable 5 --out colors.MP4 --size 101x75
     is "kind of file" "$(dd if=colors.MP4 bs=1 skip=4 count=4 2>/dev/null)" ftyp
+else
+    skipped 'ffmpeg is not installed'
 fi
 
 begin models_are_whole_and_large

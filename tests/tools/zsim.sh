@@ -1,7 +1,7 @@
 # What tests of zsim from outside share: $1 is zsim, built with ASan and UBSan, $2 a folder to work in,
 # which is emptied and entered. Sourced from the repository's top.
 #
-# `ok NAME` or `FAILED NAME: reason` a test. A reason holds the command that failed; the models it
+# `ok NAME`, `FAILED NAME: reason` or `SKIPPED NAME: reason` a test. A reason holds the command that failed; the models it
 # names stay in the folder.
 set -u
 zsim=$1
@@ -39,15 +39,22 @@ n_failed=0
 name=none
 bad=''
 note=''
+skip=''
 begin() { # NAME    ends the test before it; $note, if set by then, is shown beside its verdict
     finish
     name=$1
     bad=''
     note=''
+    skip=''
+}
+skipped() { # REASON    the test could not be made here
+    skip=$1
 }
 finish() {
     if [ "$name" != none ]; then
-        if [ -z "$bad" ]; then
+        if [ -z "$bad" ] && [ -n "$skip" ]; then
+            echo "SKIPPED $name: $skip"
+        elif [ -z "$bad" ]; then
             echo "ok $name${note:+ ($note)}"
         else
             echo "FAILED $name: $bad"

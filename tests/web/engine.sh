@@ -8,6 +8,8 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 build=$1
 work=$build/test/web_engine
+needs=engine.wasm
+. tests/web/made.sh
 rm -rf "$work"
 mkdir -p "$work"
 node tests/web/engine.mjs "$build/web/engine.wasm" "$build/zsim" "$work"

@@ -8,6 +8,8 @@ cd "$(dirname "$0")/../.." || exit 1
 build=$1
 work=$build/test/web
 . tests/lib/ok.sh
+needs=index.html
+. tests/web/made.sh
 rm -rf "$work"
 mkdir -p "$work"
 
