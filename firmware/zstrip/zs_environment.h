@@ -156,8 +156,8 @@ void zs_sky_gradient(struct zs_sky_gradient *sky, const struct zs_rgb color[4]);
 
 /* Let a sky be seen by a camera.
  *
- * viewport  the pass's. Without a pass, or where the pass's is all 0: a rectangle of 0, 0, width and
- *           height of the frame. Not NULL.
+ * viewport  the pass's. Without a pass, or where the pass's is all 0: a rectangle of 0, 0, width
+ *           and height of the frame. Not NULL.
  * mirror    the pass's; NULL: none.
  * Cost      a few hundred instructions. Those of the sky, Cortex-M3, for each pixel that it
  *           colours, at 320x240 and 60 degrees: 32 at the horizon, 46 at 30 degrees, 71 at 60. */

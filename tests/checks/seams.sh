@@ -6,8 +6,8 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-BYTES_MAX=${BYTES_MAX:-128}
-BYTES_FAST_MAX=${BYTES_FAST_MAX:-134} # M3 with accelerators
+BYTES_MAX=${BYTES_MAX:-$(most_here 128)}
+BYTES_FAST_MAX=${BYTES_FAST_MAX:-$(most_here 134)} # M3 with accelerators
 SHARE_MAX=${SHARE_MAX:-0.2} # per cent of a frame's instructions
 work=$B/seams
 copy=$work/zstrip

@@ -7,10 +7,10 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-LIMIT=${STACK_LIMIT:-2048} # bytes, any public function, of a program without effects
-EFFECTS_LIMIT=${EFFECTS_STACK_LIMIT:-2696} # ... with all of them, in any combination; most cannot happen
-EXPLAIN_LIMIT=${EXPLAIN_STACK_LIMIT:-3456} # zs_explain and its like, which draw a frame within
-PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
+LIMIT=${STACK_LIMIT:-$(most_here 2048)} # bytes, any public function, of a program without effects
+EFFECTS_LIMIT=${EFFECTS_STACK_LIMIT:-$(most_here 2696)} # ... with all of them, in any combination; most cannot happen
+EXPLAIN_LIMIT=${EXPLAIN_STACK_LIMIT:-$(most_here 3456)} # zs_explain and its like, which draw a frame within
+PANEL_LIMIT=${PANEL_STACK_LIMIT:-$(most_here 288)} # bytes, any function of panel.h
 
 # Folders are bound by one process, which reads an object that many have once: what is to be bound, of stack.mjs
 folders=$B/stack.txt

@@ -4,7 +4,8 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154
 if [ ! -f "$build/web/$needs" ]; then
-    why=$(sed -n 's/^SKIPPED pico: //p; s/^zstrip: \(.*\) Is there a network?$/\1/p' "$build/web.log" 2>/dev/null | head -1)
+    why=$(sed -n 's/^SKIPPED pico: //p; s/^zstrip: \(.*\) Is there a network?$/\1/p' "$build/web.log" 2>/dev/null |
+        head -1)
     if [ -n "$why" ]; then
         echo "SKIPPED web: there is no $needs: $why"
         exit 0

@@ -31,8 +31,7 @@ static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *ca
     view->key_slow = view->key_known = 0;
     /* C = (B - 1) / ((f - n) in camera units) as key_mul / 2^key_shift, key_mul in [2^30, 2^31) */
     const uint64_t range = (uint64_t)(camera->z_far - camera->z_near); /* q48_16, < 2^61 */
-    const int thin = range < (uint64_t)camera->z_far >> 10;
-    view->pixelwise = (uint8_t)(view->perspective << thin);
+    view->pixelwise = (uint8_t)(view->perspective << (range < (uint64_t)camera->z_far >> 10));
     const int lz = zs_clz64(range);
     const uint64_t c = zs_muldiv_u64((uint64_t)(view->key_top >> 16) << 46, (uint64_t)1 << 32,
                                      range << lz); /* [2^21, 2^31) */

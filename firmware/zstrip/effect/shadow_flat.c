@@ -21,14 +21,13 @@
 #define L_BITS 22     /* l and f are q10_22: below 2^30.1 */
 #define V_BITS 14     /* of a flattened vertex, before f */
 #define OUT_MAX 32700 /* steps: what the radius of a shadow is brought to, at most */
-#define ASIDE 0xddb4  /* q16: the most that Q is beside its anchor, half a unit along each axis */
 #define WORLD_Q16 ((int64_t)ZS_WORLD_MAX * 65536)
 
 struct flat {
     int64_t q[3];       /* C, later Q: q48_16 world units */
     int64_t h, above;   /* height of C, and of the light above C, q48_16 */
     int64_t radius;     /* of the thing's sphere, q48_16 */
-    int64_t size;       /* bound of the shadow's radius around Q, q48_16 */
+    int64_t size;       /* bound of the shadow's radius around Q's nearest world unit, q48_16 */
     zs_q2_30 n[3];      /* the normal in mesh axes */
     int32_t l[3];       /* q10_22 */
     int32_t m[9];       /* (I - l n^T) rot, q10_22: rows are at most 2^30.1 long */
@@ -125,7 +124,7 @@ static int fall(struct flat *f, const struct zs_instance *in, const struct zs_sh
     if (err)
         return err;
     const uint64_t l = length(f->l);
-    f->size = zs_mulshift_s64(f->radius, l, L_BITS) + 1; /* <= 2^53.1 */
+    f->size = zs_mulshift_s64(f->radius, l, L_BITS) + 0xddb5; /* sqrt(3) / 2 units; <= 2^53.1 */
     if (f->point) {
         const uint64_t high = (uint64_t)(f->h + f->above), least = (uint64_t)(f->above - f->radius);
         f->f = (int32_t)zs_muldiv_u64(high, 1u << L_BITS, (uint64_t)f->above); /* <= 2^30 */
@@ -212,7 +211,7 @@ int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t 
     if (err)
         return err;
     int32_t e = -16;
-    while ((f.size + ASIDE) >> (16 + e) > OUT_MAX) /* size <= 2^45: e <= 15 */
+    while (f.size >> (16 + e) > OUT_MAX) /* size <= 2^45: e <= 15 */
         e++;
     matrix(&f, caster, plane->normal, e);
     int64_t frac[3];
@@ -230,7 +229,7 @@ int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t 
     mesh->n_verts = from->n_verts;
     mesh->n_tris = from->n_tris;
     mesh->scale = (zs_uq16_16)1 << (16 + e);
-    mesh->radius = (uint16_t)(((f.size + ASIDE) >> (16 + e)) + 2);
+    mesh->radius = (uint16_t)((f.size >> (16 + e)) + 2);
     shadow->mesh = mesh;
     shadow->pose = pose;
     return ZS_OK;

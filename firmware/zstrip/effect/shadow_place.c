@@ -6,7 +6,6 @@
 #include "core/usual.h"
 #include "effect/shadow.h"
 
-#define BESIDE_MOST (1 << 25)           /* of a vertex: it is in its mesh's sphere, or held here */
 #define STEP_MAX ((int64_t)1 << 30)     /* a quarter of a texel, q32 */
 #define KEY_STEP_MAX ((int64_t)1 << 22) /* 64 keys, q16 */
 #define TEXEL_FAR ((int64_t)1 << 30)    /* 2^14 texels, q16: beyond, no quarter texel brings back */
@@ -18,13 +17,11 @@ void zs_shadow_vertex(const struct zs_shading *s, const struct zs_shadow_map *ma
     const struct zs_instance *in = s->instance;
     const struct zs_mesh *mesh = in->mesh;
     const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
-    const int32_t fine = 1 << (17 - zs_shadow_cube_log2(mesh));
+    const int64_t fine = 1 << (17 - zs_shadow_cube_log2(mesh));
     int32_t d[3], e[3];
-    for (int k = 0; k < 3; k++) { /* beside the middle, 2^-25 of half the cube */
-        const int32_t at = (mesh->pos[v][k] - mesh->center[k]) * 256 +
-                           (mesh->pos_lo ? mesh->pos_lo[v][k] : 0); /* |.| < 2^25 */
-        d[k] = (int32_t)zs_held64((int64_t)at * fine, BESIDE_MOST);
-    }
+    for (int k = 0; k < 3; k++) /* beside the middle, 2^-25 of half the cube; the rest is held */
+        d[k] = (int32_t)zs_held64(((mesh->pos[v][k] - mesh->center[k]) * 256 +
+                                   (mesh->pos_lo ? mesh->pos_lo[v][k] : 0)) * fine, 1 << 25);
     for (int k = 0; k < 3; k++)
         e[k] = (int32_t)zs_round_shift(zs_dot(rot + 3 * k, d), 30);
     for (int k = 0; k < 3; k++) {

@@ -118,8 +118,7 @@ void zs_fog_draw(void *ctx, const struct zs_target *t)
 {
     const struct zs_fog *fog = ctx;
     struct zs_paint paint = zs_paint_of(fog->color, 0);
-    uint32_t level = 0, from, span;
-    level_keys(fog, level, &from, &span);
+    uint32_t level = 0, from = 0, span = 0; /* the level's keys: [from, from + span) */
     for (int32_t y = t->y0; t->depth && y < t->y1; y++) {
         uint16_t *out = zs_pixel(t, t->x0, y), *const end = out + (t->x1 - t->x0);
         const uint16_t *at = t->depth + (out - t->color);
