@@ -49,7 +49,7 @@ test: $(B)/.setup-test
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: each fifth of their random cases, without AddressSanitizer, of UBSan
-##     what is cheap; half a minute; make t T=raster: those whose name holds that, as make test has them
+##     what is cheap; half a minute; t: T=raster: those whose name holds that, as make test has them
 quick: $(B)/.setup-test
 	+@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' unit-programs mutate-link
 	@ZS_EVERY=$${ZS_EVERY:-5} sh tests/quick.sh $(B)/quick $(UNITS)
@@ -61,6 +61,10 @@ t: $(B)/.setup-test
 
 ## sim: build/zsim
 sim: $(B)/.setup-sim
+	+@$(MAKE_ALL) $(B)/zsim
+
+## view: build/zsim with windows: zsim view MODEL
+view: $(B)/.setup-view
 	+@$(MAKE_ALL) $(B)/zsim
 
 SHOW = $(MAKE_ALL) -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
@@ -75,11 +79,6 @@ show: $(B)/.setup-show $(B)/gen/meshes.h sim
 	@$(SHOW) image
 	@sh tests/boards/show.sh $(B) $(B)/fw/pico$(if $(filter 2,$(CORES)),-2)/$(if $(filter mine,$(SCENE)),my_scene,$(or \
 	    $(basename $(notdir $(firstword $(APP_SCENE)))),$(SCENE)))
-
-## pico: the demo scenes on an emulated Raspberry Pi Pico: cycles, wire, frames a second
-pico: $(B)/.setup-test
-	+@$(MAKE_ALL) $(B)/zsim
-	@sh tests/boards/pico.sh $(B) table
 
 ## linux: build/zstrip-linux, which drives a panel on this machine's own SPI and GPIO (a Raspberry Pi's, say)
 linux: $(B)/.setup-linux
@@ -101,8 +100,9 @@ help:
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
 help-all: help
-	@for mk in $(filter-out .ci/%,$(filter %.mk,$(INCLUDED))); do sed -n '1s/^\# \(.*\)/\1:/p' $$mk; $(LIST) $$mk; done
-.PHONY: all demo test quick t sim firmware show pico linux web clean help help-all
+	@for mk in $$(grep -l '^## ' $(filter-out .ci/%,$(filter %.mk,$(INCLUDED)))); do \
+	    sed -n '1s/^\# \(.*\)/\1:/p' $$mk; $(LIST) $$mk; done
+.PHONY: all demo test quick t sim view firmware show linux web clean help help-all
 
 INCLUDED := $(MAKEFILE_LIST)
 -include $(foreach at,core sim test test/narrow clang fuzz/clang web study/*,$(foreach of,firmware hal sim tests,\

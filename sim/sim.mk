@@ -15,10 +15,6 @@ LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_help.c sim/cli/option
 # loaded where a model is (sim/load/assimp_library.c)
 LIBS = -rdynamic -lmeshoptimizer -lpng -lz -lturbojpeg -lm -ldl -pthread
 
-## view: build/zsim with windows: zsim view MODEL
-view: $(B)/.setup-view
-	+@$(MAKE_ALL) $(B)/zsim
-
 ## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes
 report: $(B)/.setup-report
 	+@$(MAKE_ALL) $(B)/zsim study-variants
@@ -30,7 +26,7 @@ report: $(B)/.setup-report
 pictures: sim
 	@sh sim/pictures/make.sh $(B)
 
-.PHONY: view report pictures study-variants linux-sources
+.PHONY: report pictures study-variants linux-sources
 
 # Meshes and textures: one file, written by a generator
 $(B)/gen_meshes: $(GEN) $(filter firmware/zstrip/% firmware/scenes/%,$(HEADERS))

@@ -1,5 +1,10 @@
 # Boards
 
+## pico: the demo scenes on an emulated Raspberry Pi Pico: cycles, wire, frames a second
+pico: $(B)/.setup-test
+	+@$(MAKE_ALL) $(B)/zsim
+	@sh tests/boards/pico.sh $(B) table
+
 ## boards: two demo scenes on every board with a panel: flash, RAM, stack, instructions or cycles a frame
 boards: $(B)/.setup-test
 	+@$(MAKE_ALL) $(B)/zsim
@@ -12,4 +17,4 @@ ifeq ($(BOARD),pico)
 else
 	@sh tests/boards/profile.sh $(B) $(BOARD) $(SCENE) $(FUNCTION)
 endif
-.PHONY: boards profile
+.PHONY: boards pico profile
