@@ -8,7 +8,7 @@
 
 #include "sim.h"
 #include "texel_numbers.h"
-#include "truth.h"
+#include "reference_frame.h"
 
 static void add_diff(struct sim_demo_tally *sum, const struct ref_diff *d)
 {
@@ -26,23 +26,23 @@ static void add_diff(struct sim_demo_tally *sum, const struct ref_diff *d)
 }
 
 int sim_demo_compare(struct sim_demo_tally *sum, const struct demo_frame *f, const struct demo *demo,
-                   const struct zs_config *config, const struct sim_frame *frame)
+                     const struct zs_config *config, const struct sim_frame *frame)
 {
     const size_t n = (size_t)config->width * config->height;
     struct ref_image ours = { .rgb565 = frame->rgb565,
                               .key = frame->no_keys ? NULL : frame->key,
                               .id = sim_alloc(n, sizeof(uint32_t)),
                               .texel = sim_alloc(n, sizeof(uint32_t)) }; /* colours are compared where it is the same */
-    struct sim_truth truth;
+    struct sim_reference_frame truth;
     struct ref_diff diff;
     int err = sim_frame_ids(ours.id, &f->scene, &f->camera, config);
     if (!err)
         err = sim_frame_texels(ours.texel, &f->scene, &f->camera, config);
     if (!err) {
-        err = sim_truth_draw(&truth, &f->scene, &f->camera, config);
+        err = sim_reference_frame_draw(&truth, &f->scene, &f->camera, config);
         if (!err)
             err = ref_compare(&ours, &truth.image, &truth.depth, &truth.camera, config->width, config->height, &diff);
-        sim_truth_free(&truth);
+        sim_reference_frame_free(&truth);
     }
     if (!err)
         add_diff(sum, &diff);

@@ -48,7 +48,7 @@ struct job {
     struct sim_panel_frame panel; /* with --panel */
     uint32_t *id;    /* of the frame; NULL: not wanted */
     uint32_t *texel; /* with --compare and textures; else NULL */
-    struct sim_original original;
+    struct sim_model_reference original;
     struct ref_diff diff; /* with --compare */
     struct sim_picture shown; /* with --show */
     struct sim_show_sum show_sum;
@@ -230,7 +230,7 @@ static int draw(struct job *job)
     if (status == SIM_OK && !o->reference)
         status = draw_frame(job);
     if (status == SIM_OK && (o->reference || o->compare))
-        status = sim_original_render(&job->original, &job->model, &job->view, o);
+        status = sim_model_reference_render(&job->original, &job->model, &job->view, o);
     if (status == SIM_OK && o->compare) {
         const struct ref_image ours = { .rgb565 = job->frame.rgb565,
                                         .key = job->frame.no_keys || o->effects.has_alpha ? NULL : job->frame.key,
@@ -473,7 +473,7 @@ static void print_diff(const struct ref_diff *d)
 static void job_free(struct job *job)
 {
     sim_picture_free(&job->shown);
-    sim_original_free(&job->original);
+    sim_model_reference_free(&job->original);
     free(job->id);
     free(job->texel);
     sim_frame_free(&job->frame);

@@ -98,7 +98,7 @@ static uint8_t *half_of(const struct ref_texture *t)
     return rgb;
 }
 
-static void add_levels(struct sim_original *out, struct ref_texture *t)
+static void add_levels(struct sim_model_reference *out, struct ref_texture *t)
 {
     while (t->width > 1 && t->height > 1) {
         struct ref_texture *half = &out->texture[out->n_textures + out->n_levels++];
@@ -111,7 +111,7 @@ static void add_levels(struct sim_original *out, struct ref_texture *t)
     }
 }
 
-static void textures_of(struct sim_original *out, const struct sim_model *model, const struct sim_options *o)
+static void textures_of(struct sim_model_reference *out, const struct sim_model *model, const struct sim_options *o)
 {
     struct ref_texture *all = sim_alloc((size_t)model->n_textures * (1 + LEVELS_MAX), sizeof *all);
     out->texture = all;
@@ -128,7 +128,7 @@ static void textures_of(struct sim_original *out, const struct sim_model *model,
     }
 }
 
-static void set_up(struct sim_original *out, struct ref_light *light, const struct sim_view *view,
+static void set_up(struct sim_model_reference *out, struct ref_light *light, const struct sim_view *view,
                    const struct sim_options *o)
 {
     struct ref_camera *c = &out->camera;
@@ -175,7 +175,7 @@ static void set_lamp(struct ref_lamp *to, const struct sim_light *from, const st
 }
 
 /* Lamps in place of the light, where an option or a material asks for what only those have. */
-static void set_lamps(struct sim_original *out, struct ref_light *light, const struct sim_model *model,
+static void set_lamps(struct sim_model_reference *out, struct ref_light *light, const struct sim_model *model,
                       const struct sim_view *view, const struct sim_options *o)
 {
     const struct sim_effect_options *e = &o->effects;
@@ -195,7 +195,7 @@ static void set_lamps(struct sim_original *out, struct ref_light *light, const s
     light->per_pixel = e->per_pixel;
 }
 
-static void set_fog(struct sim_original *out, struct ref_light *light, const struct sim_effect_options *e)
+static void set_fog(struct sim_model_reference *out, struct ref_light *light, const struct sim_effect_options *e)
 {
     if (e->fog == SIM_FOG_NONE)
         return;
@@ -211,8 +211,8 @@ static void report(void *user, size_t done, size_t total)
     sim_progress("reference", done, total);
 }
 
-int sim_original_render(struct sim_original *out, const struct sim_model *model,
-                        const struct sim_view *view, const struct sim_options *o)
+int sim_model_reference_render(struct sim_model_reference *out, const struct sim_model *model,
+                               const struct sim_view *view, const struct sim_options *o)
 {
     struct ref_light light;
     memset(out, 0, sizeof *out);
@@ -247,12 +247,12 @@ int sim_original_render(struct sim_original *out, const struct sim_model *model,
     sim_progress_end();
     if (err == REF_OK)
         return SIM_OK;
-    sim_original_free(out);
+    sim_model_reference_free(out);
     return sim_refuse(model->file, 0, "the reference cannot draw it: %s",
                       err == REF_NO_MEMORY ? "out of memory" : "a value is outside its range");
 }
 
-void sim_original_free(struct sim_original *original)
+void sim_model_reference_free(struct sim_model_reference *original)
 {
     const struct ref_image *i = &original->image;
     for (uint32_t k = 0; k < original->n_levels; k++)

@@ -11,7 +11,7 @@
 #include "framing.h"
 
 /* The reference's frame, and what it was drawn with. */
-struct sim_original {
+struct sim_model_reference {
     struct ref_image image; /* rgb565, key, id, z and exact_key; textured: u, v, texel and texture
                                too; memory of its own */
     struct ref_texture *texture; /* [model->n_textures]; texels are the model's; then levels, whose are their own */
@@ -25,8 +25,8 @@ struct sim_original {
 /* Draw it with the same camera, colours and light, with lights, highlights, fog, layers, bilinear textures and mipmaps
  * of the options, and highlights and emission of materials. The model must outlive *out.
  * SIM_OK; SIM_REFUSED, said why, *out empty. */
-int sim_original_render(struct sim_original *out, const struct sim_model *model,
-                        const struct sim_view *view, const struct sim_options *o);
-void sim_original_free(struct sim_original *original);
+int sim_model_reference_render(struct sim_model_reference *out, const struct sim_model *model,
+                               const struct sim_view *view, const struct sim_options *o);
+void sim_model_reference_free(struct sim_model_reference *original);
 
 #endif

@@ -178,8 +178,8 @@ static void move(struct ref_triangle *t, const struct zs_instance *in, const str
             t->p[k][c] = camera->pos[c] + (t->p[k][c] - camera->pos[c]) * part;
 }
 
-struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, const struct zs_camera *camera,
-                                         size_t *n)
+struct ref_triangle *sim_reference_triangles(const struct zs_scene *scene, const struct zs_camera *camera,
+                                             size_t *n)
 {
     struct shelf s = { 0 };
     *n = 0;
@@ -209,7 +209,7 @@ struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, const str
     return all;
 }
 
-int sim_truth_mapping(const struct zs_depth *depth, const struct zs_camera *camera)
+int sim_reference_mapping(const struct zs_depth *depth, const struct zs_camera *camera)
 {
     if (depth == &zs_depth_float)
         return camera->z_far <= camera->z_near * 128     ? REF_DEPTH_E3M13
@@ -222,7 +222,7 @@ int sim_truth_mapping(const struct zs_depth *depth, const struct zs_camera *came
                                       : REF_DEPTH_RECIP;
 }
 
-void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera)
+void sim_reference_camera(struct ref_camera *out, const struct zs_camera *camera)
 {
     memset(out, 0, sizeof *out);
     for (int k = 0; k < 3; k++) {
@@ -238,7 +238,7 @@ void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera)
     out->far_z = (double)camera->z_far / 65536.0;
 }
 
-void sim_truth_light(struct ref_light *out, const struct zs_light *light, const struct zs_camera *camera)
+void sim_reference_light(struct ref_light *out, const struct zs_light *light, const struct zs_camera *camera)
 {
     *out = (struct ref_light){ 0 };
     if (!light->dir[0] && !light->dir[1] && !light->dir[2] && !light->ambient && !light->diffuse) {

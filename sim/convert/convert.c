@@ -50,9 +50,9 @@ static int read_picture(struct sim_conversion *c)
     c->model.texture[0].clamp = o->wrap == SIM_WRAP_CLAMP ? ZS_CLAMP_U | ZS_CLAMP_V : 0;
     if (c->model.texture[0].image.alpha != NULL)
         sim_lose(c->made.pieces.lost, SIM_LOST_TEXEL_ALPHA, "");
-    c->made.skin = sim_alloc(1, sizeof *c->made.skin);
-    const int made = sim_skin_make(&c->made.skin[0], &c->model.texture[0], o->input, o);
-    c->made.n_skins = made == SIM_OK;
+    c->made.packed = sim_alloc(1, sizeof *c->made.packed);
+    const int made = sim_packed_make(&c->made.packed[0], &c->model.texture[0], o->input, o);
+    c->made.n_packed = made == SIM_OK;
     return made;
 }
 

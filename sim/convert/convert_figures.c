@@ -90,8 +90,8 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
 
 static void texture_figures(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    for (uint32_t i = 0; i < c->made.n_skins; i++) {
-        const struct sim_skin *s = &c->made.skin[i];
+    for (uint32_t i = 0; i < c->made.n_packed; i++) {
+        const struct sim_packed_texels *s = &c->made.packed[i];
         (void)fprintf(f, "%stexture %" PRIu32 " ", lead, i);
         sim_text_quote(f, sim_text_last_name(c->model.texture[i].name));
         (void)fprintf(f, ": %" PRIu32 " x %" PRIu32 ", %s", s->w, s->h, sim_texels_name(s->format));

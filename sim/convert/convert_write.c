@@ -68,8 +68,8 @@ static uint32_t all_paints(const struct sim_pieces *p, enum sim_form form)
 static int has_alpha(const struct sim_conversion *c)
 {
     int yes = 0;
-    for (uint32_t i = 0; i < c->made.n_skins; i++)
-        yes |= c->made.skin[i].format >= SIM_TEXELS_4444;
+    for (uint32_t i = 0; i < c->made.n_packed; i++)
+        yes |= c->made.packed[i].format >= SIM_TEXELS_4444;
     return yes;
 }
 
@@ -120,7 +120,7 @@ static void accelerators(FILE *f, const struct sim_conversion *c)
             continue;
         shaders |= 1u << p->shader;
         if (p->texture != SIM_NO_TEXTURE)
-            texels |= 1u << c->made.skin[p->texture].format;
+            texels |= 1u << c->made.packed[p->texture].format;
     }
     (void)fputs("ZS_FAST_FRAME, ZS_FAST_CLUSTERS", f);
     for (size_t i = 0; i < n_names; i++)
@@ -230,7 +230,7 @@ static void materials(FILE *f, const struct sim_conversion *c, enum sim_form for
     (void)fputs("};\n", f);
 }
 
-static void texture_object(FILE *f, const char *name, uint32_t part, const struct sim_skin *s)
+static void texture_object(FILE *f, const char *name, uint32_t part, const struct sim_packed_texels *s)
 {
     static const char *const clamps[] = { "0", "ZS_CLAMP_U", "ZS_CLAMP_V", "ZS_CLAMP_U | ZS_CLAMP_V" };
     (void)fprintf(f, "    { .format = &zs_texel_%s, .texel = %s_texel_%" PRIu32, sim_texels_name(s->format), name,
@@ -249,8 +249,8 @@ static void texture_object(FILE *f, const char *name, uint32_t part, const struc
 static void textures(FILE *f, const struct sim_conversion *c)
 {
     const char *name = c->options.name;
-    for (uint32_t i = 0; i < c->made.n_skins; i++) {
-        const struct sim_skin *s = &c->made.skin[i];
+    for (uint32_t i = 0; i < c->made.n_packed; i++) {
+        const struct sim_packed_texels *s = &c->made.packed[i];
         (void)fprintf(f, "\n/* Texture %" PRIu32 ": ", i);
         sim_text_quote(f, sim_text_last_name(c->model.texture[i].name));
         (void)fprintf(f, ", %" PRIu32 " x %" PRIu32 " texels, rows from the top", s->w, s->h);
@@ -260,13 +260,13 @@ static void textures(FILE *f, const struct sim_conversion *c)
         else
             sim_convert_numbers(f, name, i, "texel", NULL, s->index, s->texel_bytes);
         if (s->n_colors > 0)
-            sim_convert_numbers(f, name, i, "palette", s->palette, NULL, sim_skin_palette(s));
+            sim_convert_numbers(f, name, i, "palette", s->palette, NULL, sim_packed_palette(s));
     }
-    if (c->made.n_skins == 0)
+    if (c->made.n_packed == 0)
         return;
-    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name, c->made.n_skins);
-    for (uint32_t i = 0; i < c->made.n_skins; i++)
-        texture_object(f, name, i, &c->made.skin[i]);
+    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name, c->made.n_packed);
+    for (uint32_t i = 0; i < c->made.n_packed; i++)
+        texture_object(f, name, i, &c->made.packed[i]);
     (void)fputs("};\n", f);
 }
 
@@ -409,8 +409,8 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
                   all_paints(&c->made.pieces, SIM_FORM_LIT) > 0 ? "#include \"zs_lights.h\"\n" : "");
     if (has_mesh)
         defines(f, c, big, &box);
-    if (c->made.n_skins > 0)
-        (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->made.n_skins);
+    if (c->made.n_packed > 0)
+        (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->made.n_packed);
     (void)fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", f);
     if (has_mesh) {
         (void)fprintf(f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n", name,
@@ -427,7 +427,7 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
                           "extern struct zs_lamp %s_lamp[1];\nextern const struct zs_lighting %s_lighting;\n",
                           name, name, name, name, name);
     }
-    if (c->made.n_skins > 0)
+    if (c->made.n_packed > 0)
         (void)fprintf(f, "extern const struct zs_texture %s_texture[%s_TEXTURES];\n", name, big);
     (void)fputs("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n", f);
 }

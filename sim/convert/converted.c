@@ -84,23 +84,23 @@ int sim_converted_make(struct sim_converted *out, const struct sim_model *model,
         return status;
     uint32_t(*size)[2] = sim_alloc(model->n_textures, sizeof *size);
     for (uint32_t i = 0; i < model->n_textures; i++)
-        sim_skin_size(size[i], &model->texture[i], o->texture_size);
+        sim_packed_size(size[i], &model->texture[i], o->texture_size);
     status = sim_pieces_make(&out->pieces, model, &out->steps, o, (const uint32_t(*)[2])size);
     free(size);
-    out->skin = sim_alloc(model->n_textures, sizeof *out->skin);
-    while (status == SIM_OK && out->n_skins < model->n_textures) {
-        status = sim_skin_make(&out->skin[out->n_skins], &model->texture[out->n_skins], model->file,
+    out->packed = sim_alloc(model->n_textures, sizeof *out->packed);
+    while (status == SIM_OK && out->n_packed < model->n_textures) {
+        status = sim_packed_make(&out->packed[out->n_packed], &model->texture[out->n_packed], model->file,
                                o);
-        out->n_skins += status == SIM_OK;
+        out->n_packed += status == SIM_OK;
     }
     return status;
 }
 
 void sim_converted_free(struct sim_converted *c)
 {
-    for (uint32_t i = 0; i < c->n_skins; i++)
-        sim_skin_free(&c->skin[i]);
-    free(c->skin);
+    for (uint32_t i = 0; i < c->n_packed; i++)
+        sim_packed_free(&c->packed[i]);
+    free(c->packed);
     sim_pieces_free(&c->pieces);
     memset(c, 0, sizeof *c);
 }
@@ -111,9 +111,9 @@ void sim_converted_bytes(struct sim_converted_bytes *out, const struct sim_conve
     const struct sim_pieces *p = &c->pieces;
     sim_pieces_flash(s, p, c->steps.fine);
     out->texels = 0;
-    for (uint32_t i = 0; i < c->n_skins; i++)
-        out->texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
-    out->structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) + c->n_skins * TEXTURE_BYTES;
+    for (uint32_t i = 0; i < c->n_packed; i++)
+        out->texels += c->packed[i].texel_bytes + c->packed[i].palette_bytes;
+    out->structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) + c->n_packed * TEXTURE_BYTES;
     static const size_t of_form[] = { [SIM_FORM_MATERIAL] = MATERIAL_BYTES, [SIM_FORM_BLEND] = BLEND_BYTES,
                                       [SIM_FORM_LIT] = LIT_BYTES };
     uint8_t powers[128];

@@ -13,8 +13,8 @@
 struct sim_converted {
     struct sim_steps steps;
     struct sim_pieces pieces;
-    struct sim_skin *skin; /* [n_skins], by the model's textures */
-    uint32_t n_skins;
+    struct sim_packed_texels *packed; /* [n_packed], by the model's textures */
+    uint32_t n_packed;
 };
 
 /* The light of lit materials: the default of `zsim render`, until a program sets another. */

@@ -78,26 +78,26 @@ int sim_scene_load(struct sim_model *model, struct sim_options *o)
 
 /* ---- Textures and materials ------------------------------------------------------------------ */
 
-static void take_texture(struct sim_scene *s, uint32_t i, struct sim_skin *skin)
+static void take_texture(struct sim_scene *s, uint32_t i, struct sim_packed_texels *packed)
 {
     static const struct zs_texel *const formats[] = {
         [SIM_TEXELS_565] = &zs_texel_565,     [SIM_TEXELS_PAL8] = &zs_texel_pal8,
         [SIM_TEXELS_PAL4] = &zs_texel_pal4,   [SIM_TEXELS_4444] = &zs_texel_4444,
         [SIM_TEXELS_PAL8A] = &zs_texel_pal8a, [SIM_TEXELS_PAL4A] = &zs_texel_pal4a
     };
-    memcpy(s->palette[i], skin->palette, sizeof s->palette[i]);
-    s->texture[i] = (struct zs_texture){ .format = formats[skin->format],
-                                         .texel = skin->texel != NULL ? (const void *)skin->texel
-                                                                      : skin->index,
-                                         .palette = skin->n_colors > 0 ? s->palette[i] : NULL,
-                                         .n_colors = (uint16_t)skin->n_colors,
-                                         .log2_w = sim_texture_log2(skin->w),
-                                         .log2_h = sim_texture_log2(skin->h),
-                                         .clamp = skin->clamp,
-                                         .alpha_least = skin->alpha_least };
-    s->psnr_db = fmin(s->psnr_db, skin->loss.psnr_db);
-    skin->texel = NULL; /* the scene's now */
-    skin->index = NULL;
+    memcpy(s->palette[i], packed->palette, sizeof s->palette[i]);
+    s->texture[i] = (struct zs_texture){ .format = formats[packed->format],
+                                         .texel = packed->texel != NULL ? (const void *)packed->texel
+                                                                      : packed->index,
+                                         .palette = packed->n_colors > 0 ? s->palette[i] : NULL,
+                                         .n_colors = (uint16_t)packed->n_colors,
+                                         .log2_w = sim_texture_log2(packed->w),
+                                         .log2_h = sim_texture_log2(packed->h),
+                                         .clamp = packed->clamp,
+                                         .alpha_least = packed->alpha_least };
+    s->psnr_db = fmin(s->psnr_db, packed->loss.psnr_db);
+    packed->texel = NULL; /* the scene's now */
+    packed->index = NULL;
 }
 
 /* The same as shader_name of convert_write.c writes. */
@@ -121,12 +121,12 @@ static const struct zs_shader *shader_of(const struct sim_paint *p)
 static void take_materials(struct sim_scene *s, struct sim_converted *made)
 {
     const struct sim_pieces *p = &made->pieces;
-    s->n_textures = made->n_skins;
+    s->n_textures = made->n_packed;
     s->texture = sim_alloc(s->n_textures, sizeof *s->texture);
     s->palette = sim_alloc(s->n_textures, sizeof *s->palette);
     s->psnr_db = INFINITY;
     for (uint32_t i = 0; i < s->n_textures; i++)
-        take_texture(s, i, &made->skin[i]);
+        take_texture(s, i, &made->packed[i]);
     s->material = sim_alloc(p->n_paints, sizeof *s->material);
     s->blend = sim_alloc(p->n_paints, sizeof *s->blend);
     s->lit = sim_alloc(p->n_paints, sizeof *s->lit);
@@ -220,7 +220,7 @@ void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const st
     out->source = sim_alloc(p->n_tris, sizeof *out->source);
     out->n_verts = p->n_verts;
     out->error = p->error_max;
-    for (uint32_t i = 0; i < made->n_skins; i++)
+    for (uint32_t i = 0; i < made->n_packed; i++)
         out->uv_error = fmax(out->uv_error, p->uv_error[i]);
     uint32_t at = 0;
     for (uint32_t i = 0; i < p->n_pieces; i++) {

@@ -13,7 +13,7 @@
 #define GOOD_DB 36.0 /* a difference that one must look for */
 #define PAL4_MAX 16u
 
-void sim_skin_size(uint32_t size[2], const struct sim_texture *texture, const long most[2])
+void sim_packed_size(uint32_t size[2], const struct sim_texture *texture, const long most[2])
 {
     size[0] = texture->image.width;
     size[1] = texture->image.height;
@@ -60,14 +60,14 @@ static uint8_t *shrink_alpha(const struct sim_image *image, const uint32_t size[
 void sim_texture_halve(struct sim_texture *texture, const long most[2])
 {
     uint32_t size[2];
-    sim_skin_size(size, texture, most);
+    sim_packed_size(size, texture, most);
     const struct sim_image small = { size[0], size[1], shrink(&texture->image, size),
                                      shrink_alpha(&texture->image, size) };
     sim_image_free(&texture->image);
     texture->image = small;
 }
 
-static void make_565(struct sim_skin *s, const struct sim_pixels *px, int dither)
+static void make_565(struct sim_packed_texels *s, const struct sim_pixels *px, int dither)
 {
     const size_t n = (size_t)px->w * px->h;
     s->format = SIM_TEXELS_565;
@@ -85,7 +85,7 @@ static void pack(uint8_t *index, size_t n)
         index[i] = (uint8_t)(index[2 * i] | index[2 * i + 1] << 4);
 }
 
-static void make_palette(struct sim_skin *s, const struct sim_pixels *px, enum sim_texels format,
+static void make_palette(struct sim_packed_texels *s, const struct sim_pixels *px, enum sim_texels format,
                          uint32_t reserve, int dither)
 {
     const size_t n = (size_t)px->w * px->h;
@@ -113,7 +113,7 @@ static void make_palette(struct sim_skin *s, const struct sim_pixels *px, enum s
 }
 
 /* The smallest format that is good enough. */
-static void choose(struct sim_skin *s, const struct sim_pixels *px, int dither)
+static void choose(struct sim_packed_texels *s, const struct sim_pixels *px, int dither)
 {
     static const enum sim_texels small[2] = { SIM_TEXELS_PAL4, SIM_TEXELS_PAL8 };
     for (int i = px->w < 2; i < 2; i++) {
@@ -137,8 +137,8 @@ static void choose(struct sim_skin *s, const struct sim_pixels *px, int dither)
 /* ---- Alpha ----------------------------------------------------------------------------------- */
 
 /* Texels of a mask: one entry more, which is not drawn. What it hides has no colour to keep. */
-static void make_mask(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha, enum sim_texels format,
-                      int dither)
+static void make_mask(struct sim_packed_texels *s, const struct sim_pixels *px, const uint8_t *alpha,
+                      enum sim_texels format, int dither)
 {
     const size_t n = (size_t)px->w * px->h;
     uint8_t(*rgb)[3] = sim_alloc(n, sizeof *rgb);
@@ -167,7 +167,7 @@ static uint16_t four(uint8_t v)
     return (uint16_t)((v * 15u + 127u) / 255u);
 }
 
-static void make_4444(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha)
+static void make_4444(struct sim_packed_texels *s, const struct sim_pixels *px, const uint8_t *alpha)
 {
     const size_t n = (size_t)px->w * px->h;
     uint16_t *shown = sim_alloc(n, sizeof *shown);
@@ -184,7 +184,7 @@ static void make_4444(struct sim_skin *s, const struct sim_pixels *px, const uin
 }
 
 /* A mask has alphas of 0 and 255, which a palette holds; what blends has all. */
-static void make_alpha(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha, uint8_t mode,
+static void make_alpha(struct sim_packed_texels *s, const struct sim_pixels *px, const uint8_t *alpha, uint8_t mode,
                        const struct sim_convert_options *o)
 {
     if (mode == SIM_ALPHA_BLEND || o->texels == SIM_TEXELS_565) {
@@ -200,15 +200,15 @@ static void make_alpha(struct sim_skin *s, const struct sim_pixels *px, const ui
     make_mask(s, px, alpha, SIM_TEXELS_PAL8, o->dither);
 }
 
-uint32_t sim_skin_palette(const struct sim_skin *skin)
+uint32_t sim_packed_palette(const struct sim_packed_texels *packed)
 {
-    return skin->n_colors * (skin->format == SIM_TEXELS_PAL8A || skin->format == SIM_TEXELS_PAL4A ? 2u : 1u);
+    return packed->n_colors * (packed->format == SIM_TEXELS_PAL8A || packed->format == SIM_TEXELS_PAL4A ? 2u : 1u);
 }
 
 /* ---- All of it ------------------------------------------------------------------------------- */
 
 /* Append a coarser level: the mean of what its texels cover of the picture, by the nearest colours. */
-static void add_level(struct sim_skin *s, const struct sim_image *image, const uint32_t size[2], int dither)
+static void add_level(struct sim_packed_texels *s, const struct sim_image *image, const uint32_t size[2], int dither)
 {
     uint8_t(*rgb)[3] = shrink(image, size);
     const struct sim_pixels px = { size[0], size[1], (const uint8_t(*)[3])rgb };
@@ -228,19 +228,19 @@ static void add_level(struct sim_skin *s, const struct sim_image *image, const u
     free(rgb);
 }
 
-static void add_levels(struct sim_skin *s, const struct sim_image *image, int dither)
+static void add_levels(struct sim_packed_texels *s, const struct sim_image *image, int dither)
 {
     const uint32_t least = s->format == SIM_TEXELS_PAL4 ? 2 : 1;
     for (uint32_t size[2] = { s->w / 2, s->h / 2 }; size[0] >= least && size[1] >= 1; size[0] /= 2, size[1] /= 2)
         add_level(s, image, size, dither && !s->exact);
 }
 
-int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const char *file,
-                  const struct sim_convert_options *o)
+int sim_packed_make(struct sim_packed_texels *out, const struct sim_texture *texture, const char *file,
+                    const struct sim_convert_options *o)
 {
     uint32_t size[2];
     memset(out, 0, sizeof *out);
-    sim_skin_size(size, texture, o->texture_size);
+    sim_packed_size(size, texture, o->texture_size);
     if (o->texels == SIM_TEXELS_PAL4 && size[0] < 2)
         return sim_refuse(
             file, 0, "pal4 stores two texels in a byte and the texture is one wide; take pal8");
@@ -269,8 +269,8 @@ int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const
     return SIM_OK;
 }
 
-void sim_skin_free(struct sim_skin *skin)
+void sim_packed_free(struct sim_packed_texels *packed)
 {
-    SIM_FREE(skin->texel, skin->index);
-    memset(skin, 0, sizeof *skin);
+    SIM_FREE(packed->texel, packed->index);
+    memset(packed, 0, sizeof *packed);
 }

@@ -12,7 +12,7 @@
 #include "palette.h"
 #include "resample.h"
 
-struct sim_skin {
+struct sim_packed_texels {
     enum sim_texels format; /* not auto */
     uint32_t w, h;          /* powers of two */
     uint8_t clamp;          /* enum zs_clamp */
@@ -29,17 +29,17 @@ struct sim_skin {
 };
 
 /* Of formats with a palette: how many values it has. */
-uint32_t sim_skin_palette(const struct sim_skin *skin);
+uint32_t sim_packed_palette(const struct sim_packed_texels *packed);
 
 /* The size that a texture will have: its own, halved each way until it is at most `most`. */
-void sim_skin_size(uint32_t size[2], const struct sim_texture *texture, const long most[2]);
+void sim_packed_size(uint32_t size[2], const struct sim_texture *texture, const long most[2]);
 
 /* Give it that size: each new texel the mean of those that it covers. */
 void sim_texture_halve(struct sim_texture *texture, const long most[2]);
 
 /* Halve and quantise. file: for messages. SIM_OK; SIM_REFUSED, said why, nothing to free. */
-int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const char *file,
-                  const struct sim_convert_options *o);
-void sim_skin_free(struct sim_skin *skin);
+int sim_packed_make(struct sim_packed_texels *out, const struct sim_texture *texture, const char *file,
+                    const struct sim_convert_options *o);
+void sim_packed_free(struct sim_packed_texels *packed);
 
 #endif

@@ -189,10 +189,10 @@ static void show_distances(struct canvas *c, const struct sim_frame *f, const st
                            const struct zs_config *config, double unit)
 {
     const size_t n = (size_t)f->width * f->height;
-    const struct ref_depth depth = { sim_truth_mapping(config->depth, camera), config->depth_bits };
+    const struct ref_depth depth = { sim_reference_mapping(config->depth, camera), config->depth_bits };
     struct ref_camera eye;
     double *z = sim_alloc(n, sizeof *z), nearest = DBL_MAX, farthest = -DBL_MAX;
-    sim_truth_camera(&eye, camera);
+    sim_reference_camera(&eye, camera);
     for (size_t i = 0; i < n; i++) {
         if (f->key[i] == ZS_DEPTH_CLEAR)
             continue;

@@ -18,7 +18,7 @@
 #include "output_file.h"
 #include "scenes.h"
 #include "sim.h"
-#include "truth.h"
+#include "reference_frame.h"
 #include "write_counts.h"
 
 struct request {
@@ -49,12 +49,12 @@ static const struct demo *const scenes[GALLERY_SCENES] = { &demo_cubes, &demo_ci
 static int count_wrong(uint32_t *wrong, const uint32_t *id, const struct demo_frame *f, const struct zs_config *config)
 {
     const struct ref_image ours = { .id = (uint32_t *)id };
-    struct sim_truth truth;
+    struct sim_reference_frame truth;
     struct ref_diff diff = { 0 };
-    int err = sim_truth_draw(&truth, &f->scene, &f->camera, config);
+    int err = sim_reference_frame_draw(&truth, &f->scene, &f->camera, config);
     if (!err)
         err = ref_compare(&ours, &truth.image, &truth.depth, &truth.camera, config->width, config->height, &diff);
-    sim_truth_free(&truth);
+    sim_reference_frame_free(&truth);
     *wrong = (uint32_t)(diff.missing + diff.extra + diff.id_differ);
     return err;
 }

@@ -20,7 +20,7 @@
 #include "scenes.h"
 #include "sim.h"
 #include "texel_numbers.h"
-#include "truth.h"
+#include "reference_frame.h"
 
 #define KEY_BOUND 0.505 /* buckets, for width + height <= 640 */
 
@@ -105,7 +105,7 @@ static double percent(uint64_t part, uint64_t whole)
 struct look {
     struct sim_frame frame;
     struct ref_image ours;
-    struct sim_truth truth;
+    struct sim_reference_frame truth;
     struct ref_diff diff;
 };
 
@@ -130,7 +130,7 @@ static void look_close(struct look *l)
 {
     sim_frame_free(&l->frame);
     SIM_FREE(l->ours.id, l->ours.texel);
-    sim_truth_free(&l->truth);
+    sim_reference_frame_free(&l->truth);
 }
 
 static int look_draw(struct look *l, const struct zs_scene *scene, const struct zs_camera *camera,
@@ -147,7 +147,7 @@ static int look_draw(struct look *l, const struct zs_scene *scene, const struct 
     if (err)
         return sim_refuse(NULL, 0, "a scene of the accuracy checks could not be drawn: %s",
                           zs_error_string(err));
-    err = sim_truth_draw(&l->truth, scene, camera, config);
+    err = sim_reference_frame_draw(&l->truth, scene, camera, config);
     if (!err)
         err = ref_compare(&l->ours, &l->truth.image, &l->truth.depth, &l->truth.camera, config->width,
                           config->height, &l->diff);

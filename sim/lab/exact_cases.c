@@ -208,12 +208,12 @@ static double exact_key(const struct board *b, const struct ref_depth *depth,
 static void compare_triangle(struct sim_exact_triangles *out, const struct board *b,
                              const struct sim_frame *f, int mapping)
 {
-    const struct ref_depth depth = { sim_truth_mapping(b->one.config.depth, &b->one.camera),
+    const struct ref_depth depth = { sim_reference_mapping(b->one.config.depth, &b->one.camera),
                                      b->one.config.depth_bits };
     const double top = ldexp(1, b->one.config.depth_bits) - 2;
     struct ref_camera camera;
     struct edges e;
-    sim_truth_camera(&camera, &b->one.camera);
+    sim_reference_camera(&camera, &b->one.camera);
     edges_make(&e, b);
     for (int j = 0; j < H; j++)
         for (int i = 0; i < W; i++) {
@@ -444,7 +444,7 @@ static struct ref_triangle *outline_make(struct board *b, const int32_t box[4], 
     }
     board_tri(b, 0, 1, 2);
     board_tri(b, 0, 2, 3);
-    return sim_truth_triangles(&b->one.scene, &b->one.camera, n);
+    return sim_reference_triangles(&b->one.scene, &b->one.camera, n);
 }
 
 /* Tilted: a crack is a pixel that is missing though the reference draws it and all around it;
@@ -458,7 +458,7 @@ static int count_tilted(struct sim_exact_edges *out, struct board *b, const stru
     const struct ref_depth depth = { REF_DEPTH_RECIP, 16 };
     size_t n;
     struct ref_triangle *tri = outline_make(b, box, &n);
-    sim_truth_camera(&camera, &b->one.camera);
+    sim_reference_camera(&camera, &b->one.camera);
     const struct sim_judge judge = { tri, &camera, NULL,      &depth,
                                      W,   H,       1.0 / 256, sim_judge_unit(tri, n, &camera) };
     const int err = ref_render(tri, n, &camera, NULL, &depth, 0, W, H, &truth, NULL, NULL);

@@ -38,7 +38,7 @@ static void layers_open(struct layers *l, struct prng *r, const struct zs_depth 
 /* Place the layers so many buckets apart. Return 0 where the keys there are saturated. */
 static int layers_place(struct layers *l, struct prng *r, double buckets)
 {
-    const struct ref_depth depth = { sim_truth_mapping(l->config.depth, &l->camera),
+    const struct ref_depth depth = { sim_reference_mapping(l->config.depth, &l->camera),
                                      l->config.depth_bits };
     const double ratio = prng_real_log(r, 10, 1e5);
     const int32_t z = TWO_LAYERS_Z + (int32_t)prng_pick(r, 1 << 20);
@@ -46,7 +46,7 @@ static int layers_place(struct layers *l, struct prng *r, double buckets)
     struct ref_camera camera;
     l->camera.z_near = (zs_q48_16)near * 65536;
     l->camera.z_far = (zs_q48_16)(near * ratio * 1.001) * 65536;
-    sim_truth_camera(&camera, &l->camera);
+    sim_reference_camera(&camera, &l->camera);
     const double key = ref_exact_key(&depth, &camera, z);
     if (key < buckets + 0.1 || key > ldexp(1, l->config.depth_bits) - 2.6)
         return 0;

@@ -14,7 +14,7 @@
 #include "error_bound.h"
 #include "sim.h"
 #include "texel_numbers.h"
-#include "truth.h"
+#include "reference_frame.h"
 
 const struct study_mapping study_mapping[STUDY_MAPPINGS] = {
     { "recip", &zs_depth_recip, "#d62728" }, { "linear", &zs_depth_linear, "#8c8c8c" },
@@ -90,7 +90,7 @@ const char *study_error_name(int err)
 
 /* ---- A frame and its truth --------------------------------------------------------------------------------------- */
 
-static void judge_pixels(struct study_frame *f, const struct sim_truth *t, const struct ref_image *ours,
+static void judge_pixels(struct study_frame *f, const struct sim_reference_frame *t, const struct ref_image *ours,
                          const struct zs_config *config)
 {
     const struct sim_judge *judge = &t->judge;
@@ -117,7 +117,7 @@ int study_frame_open(struct study_frame *f, const struct zs_scene *scene, const 
 {
     const size_t n = (size_t)config->width * config->height;
     struct sim_frame frame;
-    struct sim_truth truth;
+    struct sim_reference_frame truth;
     int textured = 0;
     memset(f, 0, sizeof *f);
     int err = sim_frame_render(&frame, scene, camera, config, NULL);
@@ -137,14 +137,14 @@ int study_frame_open(struct study_frame *f, const struct zs_scene *scene, const 
     if (!err && textured)
         err = sim_frame_texels(ours.texel, scene, camera, config);
     if (!err) {
-        err = sim_truth_draw(&truth, scene, camera, config);
+        err = sim_reference_frame_draw(&truth, scene, camera, config);
         if (!err)
             err =
                 ref_compare(&ours, &truth.image, &truth.depth, &truth.camera, config->width, config->height, &f->diff);
         if (!err)
             judge_pixels(f, &truth, &ours, config);
         err = err ? SIM_FRAME_BROKEN + err : 0;
-        sim_truth_free(&truth);
+        sim_reference_frame_free(&truth);
     }
     free(ours.id);
     free(ours.texel);

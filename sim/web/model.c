@@ -127,18 +127,18 @@ int web_model_draw(struct sim_rendered *out, struct sim_kept_scene *scene, const
                    const struct sim_options *o)
 {
     struct sim_options turned = *o;
-    struct sim_original original;
+    struct sim_model_reference original;
     int status = turn(&turned, model, &web.orbit);
     if (status == SIM_OK)
         status = sim_render_all(out, scene, model, &turned);
     if (status != SIM_OK || !o->compare)
         return status;
-    status = sim_original_render(&original, model, &out->view, &turned);
+    status = sim_model_reference_render(&original, model, &out->view, &turned);
     if (status == SIM_OK)
         web_wrong_draw(&out->shown, &web.wrong, &out->frame, &original.image);
     else
         sim_render_free(out);
-    sim_original_free(&original);
+    sim_model_reference_free(&original);
     return status;
 }
 

@@ -11,7 +11,7 @@
 #include "explanation.h"
 #include "method_names.h"
 #include "sim.h"
-#include "truth.h"
+#include "reference_frame.h"
 
 WEB_EXPORT(scenes) const char *web_scenes(void)
 {
@@ -75,7 +75,7 @@ int web_has_levels(const struct sim_options *o)
 /* The frame against the reference's. */
 static int compare(struct sim_rendered *out, const struct demo *scene, const struct demo_frame *at)
 {
-    struct sim_truth truth;
+    struct sim_reference_frame truth;
     if (sim_demo_piece(scene) != NULL)
         return sim_refuse(scene->name, 0, "effects have no reference; choose a scene without");
     if (out->frame.no_keys) {
@@ -84,10 +84,10 @@ static int compare(struct sim_rendered *out, const struct demo *scene, const str
             sim_frame_cover(&out->frame, id);
         free(id);
     }
-    const int err = sim_truth_draw(&truth, &at->scene, &at->camera, &out->config);
+    const int err = sim_reference_frame_draw(&truth, &at->scene, &at->camera, &out->config);
     if (err == SIM_OK)
         web_wrong_draw(&out->shown, &web.wrong, &out->frame, &truth.image);
-    sim_truth_free(&truth);
+    sim_reference_frame_free(&truth);
     return err == SIM_OK ? SIM_OK
                          : sim_refuse(scene->name, 0, "the reference could not draw it (%d)", err);
 }

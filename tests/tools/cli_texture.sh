@@ -591,14 +591,14 @@ draw flat gone.obj $plain --shade smooth
 finish
 built=$(dirname "$zsim")
 if gcc -O1 -g -fsanitize=address,undefined -no-pie -Wall -Wextra -Werror -I"$top/sim/cli" -I"$top/sim/frame" \
-    -I"$top/sim/compare" -I"$top/sim/reference" -I"$top/firmware/zstrip" "$top/tests/tools/truth.c" \
+    -I"$top/sim/compare" -I"$top/sim/reference" -I"$top/firmware/zstrip" "$top/tests/tools/texel_reference.c" \
     "$built/sim/compare/scene_reference.o" "$built/sim/frame/frame.o" "$built/sim/frame/frame_ids.o" \
     "$built/sim/frame/method_names.o" "$built/sim/frame/scene_share.o" "$built/sim/frame/texel_numbers.o" \
     "$built/sim/cli/sim.o" "$built/sim/reference/reference.o" "$built/sim/reference/lamps.o" "$built/libtest.a" \
-    -lm -o truth; then
-    ./truth || n_failed=$((n_failed + 1))
+    -lm -o texel_reference; then
+    ./texel_reference || n_failed=$((n_failed + 1))
 else
-    echo 'FAILED truth: tests/tools/truth.c does not build'
+    echo 'FAILED texel_reference: tests/tools/texel_reference.c does not build'
     n_failed=$((n_failed + 1))
 fi
 

@@ -2,15 +2,15 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef SIM_TRUTH_H
-#define SIM_TRUTH_H
+#ifndef SIM_REFERENCE_FRAME_H
+#define SIM_REFERENCE_FRAME_H
 
 #include "error_bound.h"
 #include "reference.h"
 #include "zstrip.h"
 
 /* A frame as the reference draws it, and what it was drawn with. Points into itself: keep it where it is. */
-struct sim_truth {
+struct sim_reference_frame {
     struct ref_triangle *tri;
     size_t n_tris;
     struct ref_camera camera;
@@ -20,9 +20,9 @@ struct sim_truth {
     struct sim_judge judge;
 };
 
-/* SIM_OK, or what ref_render says; sim_truth_free is due in either case. */
-int sim_truth_draw(struct sim_truth *t, const struct zs_scene *scene, const struct zs_camera *camera,
-                   const struct zs_config *config);
-void sim_truth_free(struct sim_truth *t);
+/* SIM_OK, or what ref_render says; sim_reference_frame_free is due in either case. */
+int sim_reference_frame_draw(struct sim_reference_frame *t, const struct zs_scene *scene,
+                             const struct zs_camera *camera, const struct zs_config *config);
+void sim_reference_frame_free(struct sim_reference_frame *t);
 
 #endif

@@ -2,22 +2,22 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "truth.h"
+#include "reference_frame.h"
 
 #include <string.h>
 
 #include "scene_reference.h"
 #include "sim.h"
 
-int sim_truth_draw(struct sim_truth *t, const struct zs_scene *scene, const struct zs_camera *camera,
-                   const struct zs_config *config)
+int sim_reference_frame_draw(struct sim_reference_frame *t, const struct zs_scene *scene,
+                             const struct zs_camera *camera, const struct zs_config *config)
 {
     const size_t n = (size_t)config->width * config->height;
     memset(t, 0, sizeof *t);
-    t->tri = sim_truth_triangles(scene, camera, &t->n_tris);
-    sim_truth_camera(&t->camera, camera);
-    sim_truth_light(&t->light, &scene->light, camera);
-    t->depth = (struct ref_depth){ sim_truth_mapping(config->depth, camera), config->depth_bits };
+    t->tri = sim_reference_triangles(scene, camera, &t->n_tris);
+    sim_reference_camera(&t->camera, camera);
+    sim_reference_light(&t->light, &scene->light, camera);
+    t->depth = (struct ref_depth){ sim_reference_mapping(config->depth, camera), config->depth_bits };
     t->image = (struct ref_image){
         .rgb565 = sim_alloc(n, sizeof(uint16_t)), .key = sim_alloc(n, sizeof(uint16_t)),
         .id = sim_alloc(n, sizeof(uint32_t)), .z = sim_alloc(n, sizeof(double)),
@@ -35,7 +35,7 @@ int sim_truth_draw(struct sim_truth *t, const struct zs_scene *scene, const stru
                       config->height, &t->image, NULL, NULL);
 }
 
-void sim_truth_free(struct sim_truth *t)
+void sim_reference_frame_free(struct sim_reference_frame *t)
 {
     const struct ref_image *i = &t->image;
     SIM_FREE(t->tri, i->rgb565, i->key, i->id, i->z, i->exact_key, i->rgb, i->u, i->v, i->texel, (void *)i->texture);

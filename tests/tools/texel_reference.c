@@ -66,10 +66,10 @@ static const char *compare(const struct zs_scene *scene, const struct zs_camera 
         sim_frame_texels(ours_texel, scene, camera, &config) != ZS_OK)
         return "the renderer refuses it";
     *rgb565 = frame.rgb565;
-    const struct ref_depth depth = { sim_truth_mapping(mapping, camera), 16 };
-    struct ref_triangle *all = sim_truth_triangles(scene, camera, &n);
-    sim_truth_camera(&ref_camera, camera);
-    sim_truth_light(&light, &scene->light, camera);
+    const struct ref_depth depth = { sim_reference_mapping(mapping, camera), 16 };
+    struct ref_triangle *all = sim_reference_triangles(scene, camera, &n);
+    sim_reference_camera(&ref_camera, camera);
+    sim_reference_light(&light, &scene->light, camera);
     struct ref_image truth = { .rgb565 = true_565, .key = true_key, .id = id, .u = u, .v = v,
                                .texel = texel, .texture = texture };
     const struct ref_image ours = { .rgb565 = frame.rgb565, .key = frame.key, .id = ours_id,
