@@ -1,6 +1,7 @@
 /* Dithering: fewer colours than RGB565 in a way that their mean is the colour.
  *
- *     static const struct zs_dither to_grey = { &zs_dither_grey4, &zs_dither_blue };
+ *     static const struct zs_dither to_grey = { .format = &zs_dither_grey4,
+ *                                               .pattern = &zs_dither_blue };
  *     static const struct zs_resolve hook = { .draw = zs_dither_draw, .ctx = (void *)&to_grey };
  *
  * A hook, the last one of a scene, replaces each pixel by a colour of the format: it goes to the

@@ -76,8 +76,8 @@ struct zs_points {
 };
 
 /* The first members of both, for an initialiser. */
-#define ZS_LINES(line_, n_) .primitive = { &zs_lines_ops, (n_) }, .line = (line_)
-#define ZS_POINTS(point_, n_) .primitive = { &zs_points_ops, (n_) }, .point = (point_)
+#define ZS_LINES(line_, n_) .primitive = { .ops = &zs_lines_ops, .n = (n_) }, .line = (line_)
+#define ZS_POINTS(point_, n_) .primitive = { .ops = &zs_points_ops, .n = (n_) }, .point = (point_)
 
 /* Initialiser of the depth state of faces in front of whose edges lines are drawn: moved back by as
  * much as a key changes over 1 1/2 px, and two buckets. */

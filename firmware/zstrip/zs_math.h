@@ -71,7 +71,7 @@ ZS_NODISCARD int zs_camera_look_along(struct zs_camera *camera, const int32_t ey
 
 /* Look at a point from a distance, with +y upwards.
  *
- * distance  world units, > 0.
+ * distance  1 .. ZS_WORLD_MAX, world units.
  * yaw       0: the camera stands on the point's +z side; ZS_DEGREES(90): on its +x side.
  * pitch     -16383 .. 16383, a signed angle, 65536 to the turn: ZS_PITCH(20) raises the eye.
  * Return    ZS_OK; ZS_ERR_RANGE; ZS_ERR_VECTOR (pitch or distance out of range): camera is

@@ -282,7 +282,7 @@ struct zs_background {
 struct zs_target {
     uint16_t *color;       /* pixel (x, y) of the frame is color[(y - y0) * pitch + x]: RGB565, most
                               significant byte first */
-    const uint16_t *depth; /* the keys, in the same places */
+    const uint16_t *depth; /* the keys, in the same places; NULL: there is no depth memory */
     uint16_t y0, y1;       /* rows [y0, y1) of the frame */
     uint16_t x0, x1;       /* columns [x0, x1); those beside them are not given out */
     uint32_t pitch;        /* pixels from a row to the next */

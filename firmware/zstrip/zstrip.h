@@ -234,7 +234,8 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
  * frame.
  *
  * Return  ZS_OK; ZS_ERR_NULL, _SEQUENCE (r is not set up), _SIZE, _CAMERA, _DEPTH, _RANGE, _NEAR,
- *         _MESH, _VARYINGS, _TEXTURE: no frame is open. */
+ *         _MESH, _VARYINGS, _TEXTURE, _VECTOR (a lamp's direction), _PASS (zs_mask_window): no
+ *         frame is open. */
 int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera);
 
