@@ -27,7 +27,6 @@ GAP=30     # ns between words, as measured on real chips in SPI mode 0
 
 # The emulator, as locked; scripts stand beside it, where they find it.
 set_up() {
-    [ ! -f "$out/truth" ] || rm "$out/truth" # of an older tree; a folder now
     if ! cmp -s tests/boards/pico/package-lock.json "$out/package-lock.json" ||
         [ ! -d "$out/node_modules/rp2040js" ]; then
         cp tests/boards/pico/package.json tests/boards/pico/package-lock.json "$out/"

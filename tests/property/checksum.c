@@ -1,4 +1,4 @@
-/* Stress case 28: one checksum a scene, the same for every compiler, level and machine.
+/* One checksum a scene, the same for every compiler, level and machine.
  *
  * Integers only, no tables of numbers: everything is procedural. Prints "name fnv1a" a line, FNV-1a
  * over the frame's wire bytes and its depth keys; tests/records/checksums.txt has the lines. Each is

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Stress case 28: one checksum a scene, whatever the compiler, the level and the order of bytes; and the one on record.
+# One checksum a scene, whatever the compiler, the level and the order of bytes; and the one on record.
 # PowerPC is big-endian, and its programs run in QEMU.
 # Usage: tests/property/checksums.sh BUILD
 set -u
