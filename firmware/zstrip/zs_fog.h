@@ -62,7 +62,8 @@ struct zs_fog {
  *          2^-28 R of the distance, where it is full R times as far away as near. Then mixed to
  *          the nearest code.
  * Cost     14,000 instructions on a Cortex-M3, exponential 37,000; 564 bytes of stack.
- * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE (start, end or curve); ZS_ERR_DEPTH (the
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE (start, end or curve; or an orthographic camera
+ *          whose sub-pixels are too fine for what is as far away as the end); ZS_ERR_DEPTH (the
  *          mapping has no depth memory, or cannot take this camera); ZS_ERR_CAMERA, ZS_ERR_NEAR,
  *          as zs_frame_begin: fog is untouched, but for what the caller set. */
 ZS_NODISCARD int zs_fog_set(struct zs_fog *fog, const struct zs_config *config,

@@ -44,8 +44,9 @@ struct zs_shadow_light {
  *          flattened too, towards the light: let it stand on the plane or above it.
  * Culling  a triangle that faces the light faces the plane's front when it is flat. ZS_CULL_BACK
  *          is enough for a closed mesh; take ZS_CULL_NONE for others.
- * Exact    a vertex is within half a step (0.52) of its true place in each axis; on a plane along
- *          two world axes it is exactly on the plane. The longest side of the bound of a shadow
+ * Exact    a vertex is within half a step (0.52) of its true place in each axis, and the shadow's
+ *          stretch (1 below the light, at most 256) times 2^-16 world unit; on a plane along two
+ *          world axes it is exactly on the plane. The longest side of the bound of a shadow
  *          takes 16,350 to 32,700 steps to each side, and a shadow a fifth to all of its bound.
  * Cost     7,000 instructions, and 330 for a vertex (a point light: 10,000 and 520) on a Cortex-M3.
  *          Flash: 2.4 KB.
@@ -108,8 +109,8 @@ extern const struct zs_shader zs_shade_disc;
  *           Cortex-M3 for 128 x 128 texels and a torus of 672 triangles.
  * Lamps     a directional light's camera is orthographic. A spot light's is a perspective one along
  *           its axis, as wide as its cone; a point light's is a perspective one towards what is to
- *           throw shadows: beside that view nothing is in shadow. Only zs_shade_shadowed_lit and
- *           zs_shade_shadowed_texture take perspective maps.
+ *           throw shadows: beside that view nothing is in shadow. Perspective maps are taken by
+ *           zs_shade_shadowed_lit and _texture, _phong and _texture_phong.
  * Looks     edges are steps of texels; `soft` makes ramps of a texel of them. With too little bias
  *           surfaces are striped with their own shadow (acne); with too much, shadows begin behind
  *           the feet of things (peter-panning). Take .slope_bias = 288, or 544 with `soft`: a
@@ -133,7 +134,8 @@ struct zs_shadow_map {
 
 /* Make casters of instances: the same in their places, without colours.
  *
- * out      [n]; lines and points (zs_lines.h) are left out. May not be `in`.
+ * out      [n]; lines and points (zs_lines.h) are left out. May not be `in`. What a shader makes
+ *          of vertices (zs_shader.position) is not: a mesh is cast as it is.
  * Culling  as in the picture. A closed mesh may show the light its back faces in place of its front
  *          (out[k].material = &zs_shadow_caster[ZS_CULL_FRONT]): finely curved surfaces then have
  *          no specks, where a neighbour of another slope is within a texel.
@@ -150,8 +152,10 @@ uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in
  *          method and damage tracking. Its varyings are 0 for casters. Accelerators help.
  * casters  any scene; colours are drawn and dropped.
  * light    orthographic (zs_camera_orthographic, zs_camera_look_along); or perspective, at the
- *          lamp: at most 127 degrees wide and high, near at most 15/16 of far, 16 depth bits. What
- *          is beside its view, or before near, is lit; what is beyond far throws no shadow.
+ *          lamp: at most 127 degrees wide and high, of a focal length below 8192 px; near 1/4096 to
+ *          15/16 of far; 16 depth bits. What is beside its view, before near, or beyond 2 to 4
+ *          times far, is lit; what is beyond far, or with its bias in the last bucket before it,
+ *          throws no shadow.
  * After    zs_invalidate for the renderers of the picture: they do not see that the map changed.
  * Return   as zs_render; ZS_ERR_NULL; ZS_ERR_SIZE: the map is not as large as r's frame;
  *          ZS_ERR_DEPTH: another mapping, or a method; ZS_ERR_CAMERA: another perspective camera;

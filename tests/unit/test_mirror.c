@@ -795,7 +795,44 @@ static void windows_of_other_methods(void **state)
     }
 }
 
+/* A window within a window: where the first one is not, nothing is opened, as near as the second may come. */
+static void a_window_opens_no_more_than_its_mask(void **state)
+{
+    (void)state;
+    static const int16_t corner[4][3] = { { -100, -100, 0 }, { 100, -100, 0 }, { 100, 100, 0 }, { -100, 100, 0 } };
+    static const uint16_t half[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+    const struct zs_mesh pane = { .pos = corner, .tri = half, .n_verts = 4, .n_tris = 2, .radius = 142 };
+    const struct zs_material glass = { .shader = &zs_shade_window, .cull = ZS_CULL_NONE };
+    for (int32_t bias = 0; bias >= INT16_MIN; bias = bias ? 2 * bias : -8)
+        for (uint8_t bits = 8; bits <= 16; bits++) {
+            struct zs_camera camera;
+            assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 64, 100, 10000), ZS_OK);
+            const struct zs_depth_state moved = { .bias = (int16_t)bias };
+            const struct zs_instance small = { .mesh = &pane, .material = &glass, .pose = { .pos = { 0, 0, -400 },
+                                                                                            .scale = 65536 / 4 } },
+                                     large = { .mesh = &pane, .material = &glass, .pose = { .pos = { 0, 0, -110 } },
+                                               .depth_state = &moved };
+            const struct zs_scene scene[3] = { { .instance = &small, .n_instances = 1, .background = 1 },
+                                               { .instance = &large, .n_instances = 1, .background = 2 },
+                                               { .background = 3 } };
+            const struct zs_pass pass[3] = { { .scene = &scene[0], .camera = &camera },
+                                             { .scene = &scene[1], .camera = &camera, .mask = &zs_mask_window },
+                                             { .scene = &scene[2], .camera = &camera, .mask = &zs_mask_window } };
+            struct zs_config c = picture_config(64, 64, bits & 1 ? &zs_depth_linear : &zs_depth_recip);
+            c.depth_bits = bits;
+            struct picture p = picture_passes(&c, pass, 3);
+            assert_int_equal(p.err, ZS_OK);
+            uint32_t n[4] = { 0 };
+            for (int k = 0; k < p.w * p.h; k++)
+                n[p.color[k] & 3u]++;
+            assert_int_equal(n[1], 64 * 64 - n[3]);
+            assert_in_range(n[3], 36, 64);
+            picture_free(&p);
+        }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_window_opens_no_more_than_its_mask),
     cmocka_unit_test(windows_of_other_methods),
     cmocka_unit_test(rays_go_on_at_a_mirror),
     CASES_COUNT(a_window_in_a_mirror, window_in_mirror_case, 100, &pixels_beyond, 5000, "pixels seen through both"),

@@ -724,6 +724,19 @@ static void a_ray_is_of_one_side(void **state)
     assert_int_equal(f.px[4][1], 0);
 }
 
+/* The centre of a filled circle in two parts is painted, whatever the parts. */
+static void a_circle_in_parts_has_its_centre(void **state)
+{
+    for (uint32_t sweep = 4096; sweep < 65536; sweep += 4096)
+        for (uint32_t value = 0; value < 65536; value += 4369) {
+            struct frame f = { .w = 9, .h = 9 };
+            const struct zs_item disc = { .kind = &zs_item_arc, .x = 4, .y = 4, .w = 3, .sweep = (zs_turn)sweep,
+                                          .value = (uint16_t)value, .color = 0xffff, .back = 0xffff };
+            draw(&f, &disc, 1, 9, 0, 9);
+            assert_int_equal(f.px[4][4], 0xffff);
+        }
+}
+
 /* ---- What is wrong ----------------------------------------------------------------------------- */
 
 static void wrong_items_are_named(void **state)
@@ -780,6 +793,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(every_letter_is_another),
     cmocka_unit_test(wrong_items_are_named),
     cmocka_unit_test(a_ray_is_of_one_side),
+    cmocka_unit_test(a_circle_in_parts_has_its_centre),
     cmocka_unit_test(items_are_those_of_the_reference),
     cmocka_unit_test(stress_44_ends_of_int16),
     cmocka_unit_test(stress_45_many_in_one_place),

@@ -324,6 +324,98 @@ static void refusals(void **state)
     drawn_with(&s, &c, ZS_ERR_RANGE);
 }
 
+/* ---- Walls before a lamp in the origin that looks down -z ----------------------------------------- */
+
+static const int16_t wall_pos[4][3] = { { -100, -100, 0 }, { 100, -100, 0 }, { 100, 100, 0 }, { -100, 100, 0 } };
+static const uint16_t wall_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+static const zs_q1_15 wall_normal[4][3] = { { 0, 0, 32767 }, { 0, 0, 32767 }, { 0, 0, 32767 }, { 0, 0, 32767 } };
+static const struct zs_mesh wall = { .pos = wall_pos, .tri = wall_tri, .normal = wall_normal, .n_verts = 4,
+                                     .n_tris = 2, .radius = 142 };
+
+/* How many of 256 pixels of a wall around (x, 0, -z), which faces the lamp and throws a shadow, are lit; or an error.
+ * before: another wall, of half the size, before the lamp; NULL: none. */
+static int wall_lit(const struct zs_shader *shader, const struct zs_camera *light, int32_t x, int32_t z, int32_t half,
+                    const int32_t *before)
+{
+    static uint16_t key[MAP * MAP];
+    struct zs_shadow_map map = { .key = key, .w = MAP, .h = MAP };
+    const struct zs_depth_state bias = { .bias = 4, .slope_bias = 288 };
+    const struct zs_lamp lamp = { .kind = ZS_LAMP_POINT };
+    const struct zs_lighting lighting = { .lamp = &lamp, .n_lamps = 1 };
+    const struct zs_shadowed_lit lit = { .lit = { .material = { .shader = shader, .rgb = ZS_RGB(0xffffff) },
+                                                  .lighting = &lighting }, .map = &map };
+    const struct zs_shadowed_phong phong = { .lit = lit.lit, .map = { &map } };
+    const int each = shader == &zs_shade_shadowed_phong;
+    struct zs_instance in[2] = { { .mesh = &wall, .pose.pos = { x, 0, -z } },
+                                 { .mesh = &wall, .material = &zs_shadow_caster[0] } }, casters[2];
+    in[0].material = each ? &phong.lit.material : &lit.lit.material;
+    in[0].pose.scale = (zs_uq16_16)((int64_t)half * 65536 / 100);
+    for (int k = 0; before && k < 3; k++)
+        in[1].pose.pos[k] = before[k];
+    const struct zs_scene scene = { .instance = in, .n_instances = 1 },
+                          cast = { .instance = casters,
+                                   .n_instances = zs_shadow_casters(casters, in, before ? 2 : 1, &bias) };
+    struct zs_camera camera;
+    int err = map_drawn(&map, &cast, light, &zs_depth_recip, NULL);
+    err = err ? err : zs_camera_orthographic(&camera, half, 1, 4 * half + 1000);
+    if (err)
+        return err;
+    camera.pos[0] = x;
+    camera.pos[2] = -z + 2 * half + 100;
+    struct zs_config c = picture_config(16, 16, &zs_depth_linear);
+    c.varyings = 6;
+    struct picture p = picture_draw(&c, &scene, &camera);
+    int n = p.err;
+    for (int k = 0; !p.err && k < p.w * p.h; k++)
+        n += p.color[k] != 0;
+    picture_free(&p);
+    return n;
+}
+
+static void walls_at_the_ends_of_a_view(void **state)
+{
+    (void)state;
+    static const struct zs_shader *const shaders[2] = { &zs_shade_shadowed_lit, &zs_shade_shadowed_phong };
+    static const int32_t part[6] = { 900, 930, 970, 990, 994, 999 };
+    const int32_t ahead[3] = { 100, 0, -500 }, aside[3] = { 500, 0, -500 };
+    struct zs_camera light;
+    for (int k = 0; k < 2; k++) {
+        /* up to far, a wall is not in its own shadow */
+        assert_int_equal(zs_camera_perspective(&light, ZS_DEGREES(60), MAP, 10, 10000), ZS_OK);
+        for (int i = 0; i < 6; i++)
+            assert_int_equal(wall_lit(shaders[k], &light, 0, 10 * part[i], 100, NULL), 256);
+        /* beyond it, it is in that of what is before it, or lit; and never in that of what is elsewhere */
+        assert_int_equal(zs_camera_perspective(&light, ZS_DEGREES(100), MAP, 100, 1000), ZS_OK);
+        for (int32_t z = 700; z < 60000; z += z / 3) {
+            const int behind = wall_lit(shaders[k], &light, z / 5, z, 5, ahead);
+            assert_true(z > 2000 ? behind == 0 || behind == 256 : behind == 0);
+            assert_int_equal(wall_lit(shaders[k], &light, -z / 5, z, 5, ahead), 256);
+            assert_int_equal(wall_lit(shaders[k], &light, z / 2, z, 5, aside), 256);
+        }
+        /* where near is least of far, as near as that */
+        assert_int_equal(zs_camera_perspective(&light, ZS_DEGREES(60), MAP, 1, 4096), ZS_OK);
+        light.z_near = 85197; /* 1.3 */
+        light.z_far = light.z_near << 12;
+        for (int32_t z = 2; z < 5000; z *= 2) { /* varyings are too coarse for large walls */
+            const int n = wall_lit(shaders[k], &light, 0, z, z / 2, NULL);
+            assert_true(n == 256 || (n == ZS_ERR_RANGE && shaders[k] == &zs_shade_shadowed_lit && z > 2));
+        }
+        light.z_far += 4096;
+        assert_int_equal(wall_lit(shaders[k], &light, 0, 10, 5, NULL), ZS_ERR_CAMERA);
+        light.z_near = (zs_q48_16)ZS_WORLD_MAX * 65536;
+        light.z_far = light.z_near << 12;
+        if (light.z_far <= (zs_q48_16)ZS_FAR_MAX * 65536)
+            (void)wall_lit(shaders[k], &light, 0, 10, 5, NULL);
+        /* narrow views: what is far beside them is lit */
+        assert_int_equal(zs_camera_perspective(&light, ZS_DEGREES(45), MAP, 100, 10000), ZS_OK);
+        light.focal = ((zs_uq32_32)8191 << 32) + 0xffffffffu;
+        for (int32_t x = 1000; x < 20000; x += 997)
+            assert_int_equal(wall_lit(shaders[k], &light, x, 10000, 4, ahead), 256);
+        light.focal++;
+        assert_int_equal(wall_lit(shaders[k], &light, 0, 10, 5, NULL), ZS_ERR_CAMERA);
+    }
+}
+
 static const struct CMUnitTest tests[] = { cmocka_unit_test(rays), CASES_TEST(palettes, palette_case, 20),
-                                          cmocka_unit_test(refusals) };
+                                          cmocka_unit_test(refusals), cmocka_unit_test(walls_at_the_ends_of_a_view) };
 CASES_MAIN(tests)

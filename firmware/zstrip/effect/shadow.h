@@ -82,7 +82,7 @@ static inline int32_t zs_shadow_texels(const struct zs_shadow_map *map, int32_t 
 static inline uint32_t zs_shadow_cone_share(const struct zs_shadow_map *map, int32_t x, int32_t y,
                                             int32_t z, int32_t near)
 {
-    if (z <= near)
+    if (z <= near || ((uint32_t)z | zs_size32(x) | zs_size32(y)) >> 29) /* or one may be held */
         return 256u;
     const int32_t lz = zs_clz32((uint32_t)z);
     const uint32_t rcp = zs_recip_inline((uint32_t)z << lz);

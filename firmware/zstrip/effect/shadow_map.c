@@ -42,15 +42,17 @@ uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in
 
 /* ---- The map --------------------------------------------------------------------------------- */
 
-/* Copy the keys of a frame that has begun. */
+/* Copy the keys of a frame that has begun. The largest is that of all that is behind it, too: what
+ * has it would be in its own shadow. */
 static ZS_NOINLINE int keys_taken(const struct zs_shadow_map *map, struct zs_renderer *r)
 {
     struct zs_strip strip;
     int got;
     uint16_t *to = map->key;
+    const uint32_t most = (1u << r->config.depth_bits) - 2u;
     while ((got = zs_frame_strip(r, &strip)) > 0)
         for (uint32_t k = (uint32_t)strip.w * strip.h, i = 0; i < k; i++)
-            *to++ = strip.depth[i];
+            *to++ = strip.depth[i] < most ? strip.depth[i] : (uint16_t)ZS_DEPTH_CLEAR;
     return got;
 }
 
@@ -73,18 +75,20 @@ static void factor_set(uint64_t *factor, uint8_t *shift, uint32_t num, int32_t u
  * infinity, q8. A key is that times 1 - near / distance. */
 static void cone_set(struct zs_shadow_map *map, const struct zs_camera *light)
 {
-    const int32_t up = 28 - bits_of((uint64_t)light->z_far); /* -20 .. 27 */
+    const int32_t up = 28 - bits_of((uint64_t)light->z_far); /* -31 .. 27 */
     map->texels = light->focal >> 16;
     map->texels_shift = (uint8_t)(32 + up);
     map->keys = zs_muldiv_u64(65535u * 256u, (uint64_t)light->z_far,
                               (uint64_t)(light->z_far - light->z_near)); /* < 2^28.1 */
 }
 
-/* May a lamp have that view? */
+/* May a lamp have that view? Near and places are rounded to units of the map, which is at most a
+ * key where near is 2^-12 of far. */
 static int is_cone(const struct zs_camera *light, const struct zs_config *c)
 {
     const uint64_t focal = light->focal >> 16; /* q16 */
-    return light->z_far - light->z_near >= light->z_far >> 4 && focal < (uint64_t)1 << 31 &&
+    return light->z_far - light->z_near >= light->z_far >> 4 &&
+           light->z_near >= light->z_far >> 12 && focal < (uint64_t)1 << 29 &&
            focal * 4u >= (uint64_t)c->width << 16 && focal * 4u >= (uint64_t)c->height << 16;
 }
 

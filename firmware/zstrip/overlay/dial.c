@@ -66,7 +66,7 @@ static inline int clockwise(const struct direction *d, int32_t x, int32_t y)
 /* Return 1 if (x, y) is at direction d[0], or clockwise of it up to before d[1]. */
 static inline int in_sweep(const struct direction d[2], uint32_t sweep, int32_t x, int32_t y)
 {
-    if (sweep == 0 || sweep == 65536u)
+    if (sweep == 0 || sweep == 65536u || !(x | y)) /* the centre is in all of them */
         return sweep != 0;
     const int from = clockwise(&d[0], x, y);
     return sweep <= 32768u ? from && !clockwise(&d[1], x, y) : from || !clockwise(&d[1], x, y);
