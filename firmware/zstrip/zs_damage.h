@@ -46,10 +46,11 @@ int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums);
  * now. A strip that is not dirty is not drawn: zs_frame_strip gives it out with dirty_w 0. A dirty
  * strip stays dirty until it is drawn, in whichever frame.
  *
- * All strips are dirty when the camera, light, background or number of instances differ, when the
- * distance of the farthest instance in view passes a power of two, and after a frame that was
- * refused. Strips that are drawn are the same as without this call, bit for bit. With
- * zs_damage_compare too, only the columns that differ are dirty in a strip that is drawn.
+ * All strips are dirty when the camera, light, background, resolve hooks (zs_resolve.draw and ctx,
+ * not what they point to) or number of instances differ, when the distance of the farthest instance
+ * in view passes a power of two, and after a frame that was refused. Strips that are drawn are the
+ * same as without this call, bit for bit. With zs_damage_compare too, only the columns that differ
+ * are dirty in a strip that is drawn.
  *
  * memory       [ZS_DAMAGE_WORDS(n_instances, height, strip_h)], caller's, kept; its contents do not
  *              matter. NULL: draw everything.

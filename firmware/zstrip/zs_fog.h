@@ -72,7 +72,8 @@ ZS_NODISCARD int zs_fog_set(struct zs_fog *fog, const struct zs_config *config,
 /* The functions of a struct zs_resolve; ctx is the struct zs_fog. Cost of drawing, Cortex-M3: 22 to
  * 26 instructions a pixel, 14 where nothing was drawn. 1.2 KB of flash. */
 void zs_fog_draw(void *ctx, const struct zs_target *target);
-int zs_fog_changes(void *ctx, struct zs_rect *rect); /* all, when it is no longer the same fog */
+int zs_fog_changes(void *ctx, struct zs_rect *rect); /* all, when it is no longer the same fog;
+                                    a struct zs_fog for each renderer with zs_damage_track */
 
 /* Give a layer (zs_blend.h) fog of its own, at each pixel by its key; a hook sees the keys of what
  * is behind a layer. Drawn under the depth buffer, zs_method_hiz and zs_method_transparent; other

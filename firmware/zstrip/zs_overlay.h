@@ -14,7 +14,8 @@
  * Items are drawn in their order over each finished strip. They may be changed between frames, not
  * within one. Under zs_damage_track only the rectangle around what changed is drawn again: items,
  * their text and the fields of their sprites are compared with the frame before. Several overlays
- * (a hook each) keep rectangles that lie far apart apart.
+ * (a hook each) keep rectangles that lie far apart apart. Each renderer with zs_damage_track has
+ * overlays of its own.
  *
  * Places are px of the frame, x to the right, y down. What reaches beyond the frame is clipped.
  * Only the kinds that a program names are linked.

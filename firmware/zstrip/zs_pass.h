@@ -26,7 +26,8 @@ enum zs_keep { /* or-ed: what a pass finds in its viewport */
     ZS_KEEP_COLOR = 1, /* what the passes before have drawn, not its scene's background */
     ZS_KEEP_DEPTH = 2  /* their keys: the pass is in front only where its keys are less. For passes
                           that have the same camera and the same farthest instance in view;
-                          else the wrong surfaces are hidden */
+                          else the wrong surfaces are hidden. The pass before must have the same
+                          mapping, or it is refused; so should all that have drawn there */
 };
 
 struct zs_mirror; /* zs_environment.h */

@@ -256,6 +256,8 @@ struct zs_renderer {
     uint16_t draw_end;            /* no strip from this one on is dirty */
     uint16_t track_instances;     /* number of records */
     uint8_t track_columns;        /* zs_damage_columns; 0: draw all columns of a dirty strip */
+    uint8_t track_anew;           /* 1: after zs_invalidate, what is not hashed may have changed:
+                                     instances are checked and their extents found once more */
     uint8_t by_clusters;          /* 1: clusters of the current instance may be culled; 2: those
                                      outside [share->from, share->to) are left to the other core */
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and

@@ -149,6 +149,8 @@ static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struc
     add(lane, &scene->light, sizeof scene->light);
     add(lane, others, sizeof others);
     add(lane, &scene->sky, 2u * sizeof(void *));
+    if (scene->resolve)
+        add(lane, scene->resolve, scene->n_resolves * (uint32_t)sizeof *scene->resolve);
     lane[0] += !(lane[0] | lane[1]);
 }
 _Static_assert(offsetof(struct zs_scene, resolve) ==
@@ -277,13 +279,13 @@ static void resolves_due(struct zs_renderer *r, const struct zs_scene *scene)
 static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
 {
     uint32_t lane[2], *kept = r->track_memory;
-    if (scene->n_instances > r->track_instances)
-        return ZS_ERR_SIZE;
-    if (scene->n_instances && !scene->instance)
-        return ZS_ERR_NULL;
+    if (scene->n_instances > r->track_instances || (scene->n_instances && !scene->instance)) {
+        kept[0] = kept[1] = 0;
+        return scene->n_instances > r->track_instances ? ZS_ERR_SIZE : ZS_ERR_NULL;
+    }
     frame_sum(lane, r, scene);
     int all = differs(kept, lane);
-    if (sums_keep(r, scene, all)) {
+    if (sums_keep(r, scene, all) || r->track_anew) {
         const int32_t shift = r->view.shift;
         kept[0] = kept[1] = 0; /* not known; it stays so if the frame is refused */
         const int err = zs_frame_check(r, scene);
@@ -295,11 +297,14 @@ static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
         if (shift != r->view.shift)
             all = 1;
         struct zs_record *rec = records(r);
-        for (uint32_t i = 0; i < scene->n_instances; i++, rec++)
-            if (all || rec->first == OPEN) {
+        for (uint32_t i = 0; i < scene->n_instances; i++, rec++) {
+            const int due = all || rec->first == OPEN;
+            if (due || r->track_anew)
                 find_strips(r, i);
+            if (due)
                 make_due(r, rec->first, rec->end, rec->x, rec->x_end);
-            }
+        }
+        r->track_anew = 0;
         if (all)
             make_due(r, 0, r->n_strips, 0, r->config.width);
     }
@@ -355,6 +360,7 @@ static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs
 static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
     rect_due(r, rect);
+    r->track_anew = 1;
     r->draw_end = r->n_strips;
     r->band_end = 0; /* in a frame: bins lack the instances of strips that were clean */
 }
