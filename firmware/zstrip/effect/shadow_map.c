@@ -49,10 +49,12 @@ static ZS_NOINLINE int keys_taken(const struct zs_shadow_map *map, struct zs_ren
     struct zs_strip strip;
     int got;
     uint16_t *to = map->key;
-    const uint32_t most = (1u << r->config.depth_bits) - 2u;
     while ((got = zs_frame_strip(r, &strip)) > 0)
         for (uint32_t k = (uint32_t)strip.w * strip.h, i = 0; i < k; i++)
-            *to++ = strip.depth[i] < most ? strip.depth[i] : (uint16_t)ZS_DEPTH_CLEAR;
+            *to++ = strip.depth[i];
+    for (uint32_t k = (uint32_t)map->w * map->h; k--;)
+        if ((map->key[k] + 2u) >> r->config.depth_bits)
+            map->key[k] = (uint16_t)ZS_DEPTH_CLEAR;
     return got;
 }
 
@@ -84,7 +86,7 @@ static void cone_set(struct zs_shadow_map *map, const struct zs_camera *light)
 
 /* May a lamp have that view? Near and places are rounded to units of the map, which is at most a
  * key where near is 2^-12 of far. */
-static int is_cone(const struct zs_camera *light, const struct zs_config *c)
+static ZS_NOINLINE int is_cone(const struct zs_camera *light, const struct zs_config *c)
 {
     const uint64_t focal = light->focal >> 16; /* q16 */
     return light->z_far - light->z_near >= light->z_far >> 4 &&

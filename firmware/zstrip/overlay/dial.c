@@ -55,21 +55,22 @@ struct arc {
     int32_t x, y; /* the centre */
 };
 
-/* Return 1 if (x, y) is at a direction, or less than half a turn clockwise of it. |x|, |y| <= 2047:
- * sums < 2^27. */
-static inline int clockwise(const struct direction *d, int32_t x, int32_t y)
+/* Return 1 if (x, y) is at a direction, or less than half a turn clockwise of it. centre: 0: so is
+ * the centre; 1: it is not. |x|, |y| <= 2047: sums < 2^27. */
+static inline int clockwise(const struct direction *d, int32_t x, int32_t y, int32_t centre)
 {
     const int32_t side = d->x * y - d->y * x;
-    return side > 0 || (side == 0 && d->x * x + d->y * y >= 0);
+    return side > 0 || (side == 0 && d->x * x + d->y * y >= centre);
 }
 
 /* Return 1 if (x, y) is at direction d[0], or clockwise of it up to before d[1]. */
 static inline int in_sweep(const struct direction d[2], uint32_t sweep, int32_t x, int32_t y)
 {
-    if (sweep == 0 || sweep == 65536u || !(x | y)) /* the centre is in all of them */
+    if (sweep == 0 || sweep == 65536u)
         return sweep != 0;
-    const int from = clockwise(&d[0], x, y);
-    return sweep <= 32768u ? from && !clockwise(&d[1], x, y) : from || !clockwise(&d[1], x, y);
+    const int from = clockwise(&d[0], x, y, 0);
+    return sweep <= 32768u ? from && !clockwise(&d[1], x, y, 1)
+                           : from || !clockwise(&d[1], x, y, 1);
 }
 
 /* Return the part that a pixel is in; 2: none. */
