@@ -204,7 +204,7 @@ struct zs_shadowed_lit {
  *
  * Exact    as above; a step is at most 1/4 texel where a perspective map's near is, and 64 keys.
  *          The lamp's light is at most twice full, and rounded to 2^-15.
- * Cost     a pixel 331 (M0: 621), of a perspective map 436 (877); on a texture about as much.
+ * Cost     a pixel 331 (M0: 621), of a perspective map 441 (886); on a texture about as much.
  *          Flash, M3 -O2: 3 KB both, and 1.3 for places, beside those of lamps and textures.
  * Refused  as above; and ZS_ERR_RANGE: another number of lamps; as zs_shade_lit; the texture as
  *          zs_shade_texture. Varyings: 4, with a texture 6; compile with ZS_VARYINGS_MAX at least

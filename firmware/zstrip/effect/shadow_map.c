@@ -42,19 +42,23 @@ uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in
 
 /* ---- The map --------------------------------------------------------------------------------- */
 
-/* Copy the keys of a frame that has begun. The largest is that of all that is behind it, too: what
+/* Copy a strip's keys. The largest is dropped: it is that of all that is behind it, too, and what
  * has it would be in its own shadow. */
+static ZS_NOINLINE void keys_copy(const struct zs_shadow_map *map, const struct zs_strip *s,
+                                  uint32_t bits)
+{
+    uint16_t *const to = map->key + (uint32_t)s->y * s->w;
+    for (uint32_t k = (uint32_t)s->w * s->h; k--;)
+        to[k] = (s->depth[k] + 2u) >> bits ? (uint16_t)ZS_DEPTH_CLEAR : s->depth[k];
+}
+
+/* Copy the keys of a frame that has begun. */
 static ZS_NOINLINE int keys_taken(const struct zs_shadow_map *map, struct zs_renderer *r)
 {
     struct zs_strip strip;
     int got;
-    uint16_t *to = map->key;
     while ((got = zs_frame_strip(r, &strip)) > 0)
-        for (uint32_t k = (uint32_t)strip.w * strip.h, i = 0; i < k; i++)
-            *to++ = strip.depth[i];
-    for (uint32_t k = (uint32_t)map->w * map->h; k--;)
-        if ((map->key[k] + 2u) >> r->config.depth_bits)
-            map->key[k] = (uint16_t)ZS_DEPTH_CLEAR;
+        keys_copy(map, &strip, r->config.depth_bits);
     return got;
 }
 
