@@ -171,10 +171,13 @@ $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: \
     $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PIECES) $(PANELS)) $(B)/libmeshes.a
 	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
 # Of these clang compiles all, in make test, quickly; the core it compiles for checksum-clang-O3
-clang-objects: $(patsubst %.c,$(B)/clang/%.o,$(FUZZ_SIM) $(MODEL) $(SCENES) $(PIECES) $(wildcard tests/lab/fuzz/*.c))
+CLANGED = $(FUZZ_SIM) $(MODEL) $(SCENES) $(PIECES) $(LINUX) $(wildcard $(addsuffix /*.c,\
+    sim/lab sim/view firmware/examples hal/fault hal/host tests/unit tests/property tests/tools tests/lib \
+    tests/lab/fuzz tests/lab/stress))
+clang-objects: $(patsubst %.c,$(B)/clang/%.o,$(sort $(CLANGED)))
 $(B)/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	$(folder)
-	@clang -std=gnu11 -O0 -D_GNU_SOURCE= $(TEST_WARN) $(INC) -Ihal/linux -Isim/linux -Itests/lib -Itests/lab/fuzz \
+	@clang -std=gnu11 -O0 -D_GNU_SOURCE= $(TEST_WARN) $(INC) -Ihal/linux -Isim/linux -Isim/lab -Itests/lib -Itests/lab/fuzz \
 	    -DZS_STATS=1 -DZS_VARYINGS_MAX=8 $(DEP) -c $< -o $@
 .PHONY: clang-objects
 $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)

@@ -796,7 +796,7 @@ static void one_pass_is_one(void **state)
     struct words words;
     uint32_t said;
     assert_int_equal(world_hear(&w, &words, &said), ZS_OK);
-    unsigned tris, verts;
+    unsigned tris = 0, verts = 0;
     const char *at = strstr(words.text, "max_tris "), *at2 = strstr(words.text, "max_verts ");
     assert_true(at && at2 && sscanf(at + 9, "%u", &tris) == 1 && sscanf(at2 + 10, "%u", &verts) == 1);
     w.config.max_tris = (uint16_t)tris;
