@@ -36,7 +36,7 @@ struct show_test {
     uint32_t frames, step;
 };
 extern const struct show_test show_test;
-const struct show_test show_test = { 0, 1 };
+const struct show_test show_test = { .step = 1 };
 
 /* What the loop is at: for a debugger, and for a test that counts cycles. */
 enum show_phase { SHOW_ELSE, SHOW_DRAW, SHOW_SEND, SHOW_WAIT };

@@ -349,7 +349,8 @@ static int send_pixels(struct panel *p, const struct panel_rect *r, const uint8_
     struct hal_bus *bus = p->bus;
     const uint32_t dense = r->w * 2u;
     if (converts(&p->config)) {
-        const struct panel_part part = { px, stride, r, p->config.rotate, p->config.lsb_first };
+        const struct panel_part part = { .px = px, .stride = stride, .rect = r, .rotate = p->config.rotate,
+                                         .lsb_first = p->config.lsb_first };
         p->config.type->convert(&part, p->scratch);
         return bus->data(bus, p->scratch, wire_bytes(p->config.type, (uint32_t)r->w * r->h));
     }

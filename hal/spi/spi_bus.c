@@ -87,7 +87,7 @@ static void delay(struct hal_bus *bus, uint32_t us)
         spi_wire_pause_us(us);
 }
 
-static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
+static struct hal_bus the_bus = { .command = command, .data = data, .wait = wait, .reset = reset, .delay = delay };
 
 struct hal_bus *hal_bus(void)
 {
