@@ -23,9 +23,10 @@ static wide floor_of(wide n, wide d)
 
 static unsigned smalls, larges, tinies, pixels;
 
-/* A triangle as assembly leaves it: the top vertex first, clockwise, of an area. Return 0: it has none. */
-static int triangle_make(struct zs_job *job, struct zs_vertex v[3], struct prng *p)
+/* A triangle as assembly leaves it: the top vertex first, clockwise, of an area. */
+static const struct zs_geom *triangle_make(struct zs_job *job, struct prng *p)
 {
+    static struct zs_vertex v[3];
     const int32_t side = 1 << prng_range(p, 4, 21); /* q24_8: up to 8192 px */
     memset(job, 0, sizeof *job);
     job->width = prng_range(p, 1, 640);
@@ -37,10 +38,12 @@ static int triangle_make(struct zs_job *job, struct zs_vertex v[3], struct prng 
     const struct zs_vertex *a = &v[top], *b = &v[(top + 1) % 3], *c = &v[(top + 2) % 3];
     const int64_t area = zs_assemble_area(a, b, c);
     if (area == 0)
-        return 0;
+        return triangle_make(job, p);
     zs_plane_sides(job, a, area > 0 ? b : c, area > 0 ? c : b);
     zs_plane_geom(job);
-    return job->geom.area == (area > 0 ? area : -area);
+    if (job->geom.area != (area > 0 ? area : -area))
+        fail_msg("an area of %lld, not %lld", (long long)job->geom.area, (long long)area);
+    return &job->geom;
 }
 
 /* The values' numerators: what one sub-pixel to the right, and down, changes, times the area. */
@@ -80,10 +83,7 @@ static int plane32_case(uint64_t seed)
     struct prng p = { seed };
     for (int t = 0; t < 40; t++) {
         static struct zs_job job;
-        struct zs_vertex v[3];
-        if (!triangle_make(&job, v, &p))
-            continue;
-        const struct zs_geom *g = &job.geom;
+        const struct zs_geom *g = triangle_make(&job, &p);
         const int kind = prng_pick(&p, 2) ? ZS_PLANE_KEY : ZS_PLANE_WIDE;
         const int bits = kind == ZS_PLANE_KEY ? 32 : 31, shift = prng_range(&p, 0, bits - 1);
         const uint32_t at = (uint32_t)prng_next(&p) >> (32 - bits);
@@ -127,10 +127,7 @@ static int plane64_case(uint64_t seed)
     struct prng p = { seed };
     for (int t = 0; t < 60; t++) {
         static struct zs_job job;
-        struct zs_vertex v[3];
-        if (!triangle_make(&job, v, &p))
-            continue;
-        const struct zs_geom *g = &job.geom;
+        const struct zs_geom *g = triangle_make(&job, &p);
         wide value[3], n[2];
         uint64_t u[3];
         for (int k = 0; k < 3; k++) {
