@@ -177,8 +177,8 @@ CLANGED = $(FUZZ_SIM) $(MODEL) $(SCENES) $(PIECES) $(LINUX) $(wildcard $(addsuff
 clang-objects: $(patsubst %.c,$(B)/clang/%.o,$(sort $(CLANGED)))
 $(B)/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	$(folder)
-	@clang -std=gnu11 -O0 -D_GNU_SOURCE= $(TEST_WARN) $(INC) -Ihal/linux -Isim/linux -Isim/lab -Itests/lib -Itests/lab/fuzz \
-	    -DZS_STATS=1 -DZS_VARYINGS_MAX=8 $(DEP) -c $< -o $@
+	@clang -std=gnu11 -O0 -D_GNU_SOURCE= $(TEST_WARN) $(INC) -Ihal/linux -Isim/linux -Isim/lab -Itests/lib \
+	    -Itests/lab/fuzz -DZS_STATS=1 -DZS_VARYINGS_MAX=8 $(DEP) -c $< -o $@
 .PHONY: clang-objects
 $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
 	@mkdir -p $(@D)

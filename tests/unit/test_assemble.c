@@ -1,5 +1,5 @@
-/* Assembly (core/assemble.c): areas, facing and boxes against sums of 128 bits and a look at every sample; each triangle
- * has one outcome, with its reason.
+/* Assembly (core/assemble.c): areas, facing and boxes against sums of 128 bits and a look at every sample; each
+ * triangle has one outcome, with its reason.
  *
  * SPDX-License-Identifier: MIT
  */
