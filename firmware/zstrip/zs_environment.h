@@ -102,7 +102,8 @@ int zs_mirror_camera(struct zs_camera *out, const struct zs_camera *camera,
  * a pass with a mask, keys outside of the windows are 0: a later pass must not keep them, and hooks
  * that read keys (zs_target.depth) find that all is near there: fog (zs_fog.h) is seen in the
  * windows alone. What is blended (zs_blend.h) before a window is not seen there, since it writes no
- * keys: the pass with the mask covers it.
+ * keys: the pass with the mask covers it. Methods with depth memory and without passes
+ * (zs_method.h) refuse windows: ZS_ERR_DEPTH.
  *
  * Cost  Cortex-M3: 8 instructions for each pixel of the viewport, and the background of the
  *       windows. */

@@ -22,7 +22,8 @@
  * to a sub-pixel, halves away from 0. The corners are width / 2 above and below them. A pixel is
  * drawn if its middle is inside, or on a left or a level upper side: `width` pixels in each column
  * (row) from the one end's to the other's. A line of length 0 is one column. Swapping the ends
- * changes nothing but the dashes. Keys and varyings of corners are those of the ends: on the line,
+ * changes nothing but the dashes, and of a line of length 0 and one key, which end's colour is to
+ * the left. Keys and varyings of corners are those of the ends: on the line,
  * they belong to a place at most half a px away.
  *
  * Clipping: near, far and the guard band cut a line in camera units, as they cut the side of a

@@ -64,8 +64,9 @@ extern const struct zs_method zs_method_raycast;
  * that covers all of it is drawn without a test.
  *
  * Right   wherever the depth buffer is: all mappings with depth memory, else ZS_ERR_DEPTH; all
- *         depth states; damage tracking; all shaders but cut-outs (zs_filter.h) and flat shadows
- *         (zs_shadow.h), which refuse it: ZS_ERR_DEPTH. Not frames in passes: ZS_ERR_PASS.
+ *         depth states; damage tracking; all shaders but cut-outs (zs_filter.h), flat shadows
+ *         (zs_shadow.h) and windows (zs_environment.h), which refuse it: ZS_ERR_DEPTH. Not frames
+ *         in passes: ZS_ERR_PASS.
  * Memory  none of its own: it uses the part of the arena of the accelerators `touch` and `tiles`
  *         (ZS_DRAWN_BYTES + ZS_BOUND_BYTES), 3 bytes for each tile and for each block. Tiles are as
  *         narrow as that allows. If zs_config.fast names the two accelerators, they are not used.

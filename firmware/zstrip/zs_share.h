@@ -33,6 +33,7 @@ struct zs_share_part {
     uint32_t number, first;         /* an instance, and its first triangle in that order ... */
     uint32_t from, to;              /* ... and of its own triangles, those that are in the part */
     uint32_t tris, least, verts;    /* in the pools: triangles; the first vertex, the last + 1 */
+    uint32_t of;                    /* the instance whose vertices `least` is one of */
     int32_t ok;                     /* 1: it is; 0: not tried; -1: pools are too small */
 };
 

@@ -100,7 +100,8 @@ enum zs_err {
     ZS_ERR_VARYINGS = -9, /* the shader needs more values a vertex than config.varyings */
     ZS_ERR_VECTOR = -10,  /* a direction of length 0, or two directions that are parallel */
     ZS_ERR_NEAR = -11, /* the near plane is too close: the farthest point of the instances in view
-                          is more than 2^21 to 2^22 times as far away */
+                          is more than 2^21 to 2^22 times as far away; orthographic: near and far
+                          are nearer to each other than 2^-29 of it */
     ZS_ERR_TEXTURE = -12, /* a texture's size or clamp is out of range: zs_texture_check */
     ZS_ERR_BUILD = -13,   /* the program was compiled with other headers, or another
                              ZS_VARYINGS_MAX or ZS_SIZE_MAX, than the library */
@@ -211,8 +212,8 @@ static inline int zs_init(struct zs_renderer *r, const struct zs_config *config,
     return zs_init_build(r, config, arena, bytes, ZS_BUILD);
 }
 
-/* ZS_ARENA_BYTES of a configuration, with strip_h at most the height. Return 0 if a field is out of
- * range. */
+/* ZS_ARENA_BYTES of a configuration, with strip_h at most the height; without depth memory where
+ * the mapping has none. Return 0 if a field other than depth_bits is out of range. */
 uint32_t zs_arena_bytes(const struct zs_config *config);
 
 /* ---- Frames ------------------------------------------------------------------------------- */

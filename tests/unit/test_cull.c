@@ -238,6 +238,71 @@ static void clusters_change_no_bit(void **state)
                     reached.frames * 100 < reached.pixels);
 }
 
+/* ---- Slivers ---------------------------------------------------------------------------------------- */
+
+static uint32_t slivers_seen; /* frames in which a back face is drawn, as snapping has turned it round */
+
+/* Clusters of height 1, a 16th of a step, in a mesh of few pixels: what may be off for a height is as much as a word
+ * holds. */
+static int sliver_case(uint64_t seed)
+{
+    enum { N = 12, HALF = 30000, BY = 2 * HALF / N };
+    static int16_t pos[(N + 1) * (N + 1) + 3 * N][3];
+    static uint16_t tri[(2 * N + 1) * N][3];
+    static struct zs_cluster cluster[N];
+    struct prng p = { seed };
+    uint32_t n_verts = 0, n_tris = 0;
+    for (int v = 0; v < (N + 1) * (N + 1); v++, n_verts++) {
+        const int at[2] = { v % (N + 1), v / (N + 1) };
+        for (int k = 0; k < 2; k++)
+            pos[v][2 * k] = (int16_t)(at[k] == 0   ? -HALF
+                                      : at[k] == N ? HALF
+                                                   : at[k] * BY - HALF + prng_range(&p, -BY / 4, BY / 4));
+    }
+    for (int y = 0; y < N; y++) {
+        struct zs_cluster *c = &cluster[y];
+        *c = (struct zs_cluster){ .first = n_tris, .n_tris = 2 * N + 1, .axis = { 0, 127, 0 }, .cutoff = 1,
+                                  .height = 1, .center = { 0, 0, (int16_t)(y * BY - HALF + BY / 2) },
+                                  .radius = HALF + 2 * BY };
+        for (int x = 0; x < N; x++, n_tris += 2) {
+            const uint16_t a = (uint16_t)(y * (N + 1) + x), b = (uint16_t)(a + N + 1);
+            const uint16_t two[2][3] = { { a, b, (uint16_t)(a + 1) }, { (uint16_t)(a + 1), b, (uint16_t)(b + 1) } };
+            memcpy(tri[n_tris], two, sizeof two);
+        }
+        const int16_t z = c->center[2];
+        const int16_t thin[3][3] = { { 0, 0, z }, { 1, 0, z }, { 9, 0, (int16_t)(z - 1) } };
+        for (int k = 0; k < 3; k++) {
+            memcpy(pos[n_verts], thin[k], sizeof thin[k]);
+            tri[n_tris][k] = (uint16_t)n_verts++;
+        }
+        n_tris++;
+    }
+    struct zs_mesh mesh = { .pos = (const int16_t (*)[3])pos, .tri = (const uint16_t (*)[3])tri, .n_verts = n_verts,
+                            .n_tris = n_tris, .scale = ZS_Q16_ONE, .radius = HALF + HALF / 2, .cluster = cluster,
+                            .n_clusters = N };
+    const struct zs_material white = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 } };
+    const struct zs_instance in = { .mesh = &mesh, .material = &white };
+    const struct zs_scene scene = { .instance = &in, .n_instances = 1 };
+    struct zs_config c = picture_config(4, 4, &zs_depth_linear);
+    c.subpixel_bits = 4;
+    struct zs_camera camera;
+    const int32_t per = 200000; /* units a pixel */
+    CASE_CHECK(zs_mesh_check(&mesh, NULL) == ZS_FLAW_NONE);
+    for (int k = 0; k < 20; k++) {
+        const int32_t at[3] = { prng_range(&p, -per, per), 0, prng_range(&p, -per, per) };
+        CASE_CHECK(!zs_camera_orthographic(&camera, 4 * per, 1000, 1000000) && /* from below: faces turn away */
+                   !zs_camera_orbit(&camera, at, 500000, (zs_turn)prng_next(&p),
+                                    (int16_t)prng_range(&p, -16383, -2000)));
+        c.fast = NULL;
+        struct picture want = picture_draw(&c, &scene, &camera);
+        slivers_seen += want.covered > 0;
+        c.fast = fast_all;
+        struct picture is = picture_draw(&c, &scene, &camera);
+        CASE_CHECK(picture_drawn_alike(&want, &is, "slivers"));
+    }
+    return 1;
+}
+
 /* ---- Instances --------------------------------------------------------------------------------------- */
 
 static uint32_t beside; /* spheres outside the view whose triangles cover pixels */
@@ -352,6 +417,7 @@ static void a_center_is_as_exact_as_its_slack(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(clusters_change_no_bit),
+    CASES_COUNT(slivers_that_snapping_turns_round, sliver_case, 1000, &slivers_seen, 1, "frames with slivers"),
     CASES_COUNT(what_rounding_moves_into_the_frame_is_drawn, slack_case, 1000,
                 &beside, 20, "spheres beside the frame are drawn"),
     cmocka_unit_test(a_center_is_as_exact_as_its_slack),

@@ -354,7 +354,7 @@ static void what_is_drawn_always_hides_no_more(void **state)
     picture_free(&want);
 }
 
-static void passes_and_a_mapping_without_memory_are_refused(void **state)
+static void passes_windows_and_a_mapping_without_memory_are_refused(void **state)
 {
     static const int16_t corner[3][3] = { { 0, 0, -2000 }, { 900, 0, -2000 }, { 0, 900, -2000 } };
     struct lone l;
@@ -371,6 +371,10 @@ static void passes_and_a_mapping_without_memory_are_refused(void **state)
         struct picture is = picture_passes(&with_memory, &pass, 1);
         assert_int_equal(is.err, ZS_ERR_PASS);
         picture_free(&is);
+        /* a window's key grows: bounds of keys would hide what is seen */
+        l.material.shader = &zs_shade_window;
+        assert_int_equal(picture_error(&with_memory, &l.scene, &camera), ZS_ERR_DEPTH);
+        l.material.shader = &zs_shade_raw;
     }
 }
 
@@ -382,7 +386,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(layers_are_skipped),
     cmocka_unit_test(one_bucket_nearer_is_seen),
     cmocka_unit_test(what_is_drawn_always_hides_no_more),
-    cmocka_unit_test(passes_and_a_mapping_without_memory_are_refused)
+    cmocka_unit_test(passes_windows_and_a_mapping_without_memory_are_refused)
 };
 
 CASES_MAIN(tests)

@@ -607,6 +607,9 @@ static void what_cannot_be_drawn_is_refused(void **state)
     s.lines.primitive.n = 0;
     assert_int_equal(error_of(&s, &camera), ZS_OK);
     stroke_set(&s, 1);
+    s.lines.primitive.ops = NULL; /* ZS_LINES was forgotten */
+    assert_int_equal(error_of(&s, &camera), ZS_ERR_NULL);
+    stroke_set(&s, 1);
     s.material.shader = &zs_shade_raw;
     assert_int_equal(error_of(&s, &camera), ZS_OK);
     s.mesh.face_raw = pair[0]; /* of no triangle */

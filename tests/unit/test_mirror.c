@@ -723,7 +723,9 @@ static void wrong_mirrors_are_refused(void **state)
     assert_int_equal(zs_mirror_of(&mirror, &in, 0), ZS_ERR_MESH);
     m.quad.tri = NULL;
     assert_int_equal(zs_mirror_of(&mirror, &in, 0), ZS_ERR_NULL);
+    assert_int_equal(zs_mirror_of(&mirror, NULL, 0), ZS_ERR_NULL);
     m.quad.tri = quad_tri;
+    assert_int_equal(zs_mirror_of(NULL, &in, 0), ZS_ERR_NULL);
     in.pose.pos[0] = -ZS_WORLD_MAX - 1;
     assert_int_equal(zs_mirror_of(&mirror, &in, 0), ZS_ERR_RANGE);
     facing(&m, 20);

@@ -95,7 +95,8 @@ static const struct CMUnitTest tests[] = {
                  { "walks", &walks, 10000 }, { "triangles drawn", &sets_drawn, 5000 }),
     CASES_COUNTS(is_the_same_in_any_way, way_case, 200, { "scenes in several walks", &again, 50 }),
     METHOD_NEEDS_TEST(small_pools_and_depth_memory_are_refused,
-                      &zs_method_painter, &zs_depth_none, &zs_depth_float, 2)
+                      &zs_method_painter, &zs_depth_none, &zs_depth_float, 2),
+    METHOD_NEEDS_TEST(depths_of_depth_sort_are_refused, &zs_method_painter, &zs_depth_none, &zs_depth_order, 2)
 };
 
 CASES_MAIN(tests)

@@ -197,6 +197,88 @@ static void random_scenes(void **state)
     assert_true(together > 200);
 }
 
+/* ---- Pools that are packed empty --------------------------------------------------------------------------------- */
+
+#define CELLS 14
+struct sheet {
+    int16_t pos[(CELLS + 1) * (CELLS + 1)][3];
+    uint16_t tri[2 * CELLS * CELLS][3];
+    struct zs_mesh mesh;
+};
+
+static void sheet_make(struct sheet *s, int n)
+{
+    uint32_t t = 0;
+    s->mesh = (struct zs_mesh){ .pos = (const int16_t (*)[3])s->pos, .tri = (const uint16_t (*)[3])s->tri,
+                                .n_verts = (uint32_t)((n + 1) * (n + 1)), .scale = ZS_Q16_ONE, .radius = 150 };
+    for (int v = 0; v < (n + 1) * (n + 1); v++) {
+        s->pos[v][0] = (int16_t)(v % (n + 1) * 200 / n - 100);
+        s->pos[v][1] = (int16_t)(v / (n + 1) * 200 / n - 100);
+    }
+    for (int y = 0; y < n; y++)
+        for (int x = 0; x < n; x++, t += 2) {
+            const uint16_t a = (uint16_t)(y * (n + 1) + x), b = (uint16_t)(a + n + 1);
+            const uint16_t two[2][3] = { { a, (uint16_t)(a + 1), b }, { (uint16_t)(a + 1), (uint16_t)(b + 1), b } };
+            memcpy(s->tri[t], two, sizeof two);
+        }
+    s->mesh.n_tris = t;
+}
+
+/* The second part begins within a sheet that turns away, and has no triangle of it; the next sheet needs the room of
+ * its vertices, before it is binned (12 cells) or while it is (4). */
+static void a_part_of_nothing_makes_room(void **state)
+{
+    static struct sheet away, next;
+    const struct zs_material red = { .shader = &zs_shade_raw, .rgb = { 255, 0, 0 } };
+    struct zs_instance in[2] = { { .mesh = &away.mesh, .material = &red }, { .mesh = &next.mesh, .material = &red } };
+    const struct zs_scene scene = { .instance = in, .n_instances = 2 };
+    const int32_t at[3] = { 0, 0, 0 };
+    struct zs_camera camera;
+    struct prng p = { 9 };
+    uint32_t together = 0;
+    sheet_make(&away, CELLS);
+    zs_pose_turn(&in[0].pose, 32768, 0, 0);
+    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), H, 50, 2000), ZS_OK);
+    assert_int_equal(zs_camera_orbit(&camera, at, 300, 0, 0), ZS_OK);
+    for (int n = 4; n <= 12; n += 8) {
+        sheet_make(&next, n);
+        struct zs_config c = picture_config(W, H, &zs_depth_float);
+        c.strip_h = 16;
+        c.max_tris = 1000;
+        c.max_verts = n == 4 ? 226 : 300;
+        for (uint32_t cut = 0; cut <= 65536; cut += 512) {
+            if (!is_drawn(&scene, &camera, &c, cut, &p))
+                fail_msg("%d cells, cut at %u", n, cut);
+            together += shared == 1;
+        }
+    }
+    assert_true(together > 100);
+}
+
+/* 2^32 triangles and more are not counted in 32 bits: each bins for itself. */
+static void more_triangles_than_a_word(void **state)
+{
+    static struct sheet sheet;
+    static struct zs_instance many[65535];
+    const struct zs_material red = { .shader = &zs_shade_raw, .rgb = { 255, 0, 0 } };
+    const struct zs_scene scene = { .instance = many, .n_instances = 65535 };
+    const int32_t at[3] = { 0, 0, 0 };
+    struct zs_camera camera;
+    struct prng p = { 10 };
+    sheet_make(&sheet, 4);
+    struct zs_mesh large = sheet.mesh;
+    large.n_tris = 70000; /* none is looked at: out of view */
+    for (uint32_t i = 0; i < 65535; i++) {
+        const int seen = i == 100 || i == 65000;
+        many[i] = (struct zs_instance){ .mesh = seen ? &sheet.mesh : &large, .material = &red };
+        many[i].pose.pos[0] = seen ? i == 100 ? -50 : 50 : 100000;
+    }
+    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), H, 50, 2000), ZS_OK);
+    assert_int_equal(zs_camera_orbit(&camera, at, 300, 0, 0), ZS_OK);
+    const struct zs_config c = picture_config(W, H, &zs_depth_float);
+    assert_true(is_drawn(&scene, &camera, &c, 32768, &p) && !shared);
+}
+
 /* ---- Where each bins for itself ---------------------------------------------------------------------------------- */
 
 static int not_for(struct zs_config *c, int track)
@@ -237,6 +319,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cut_anywhere), cmocka_unit_test(pools_of_any_size), cmocka_unit_test(random_scenes),
+        cmocka_unit_test(a_part_of_nothing_makes_room), cmocka_unit_test(more_triangles_than_a_word),
         cmocka_unit_test(other_frames)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -9,7 +9,7 @@ static const char *const messages[] = {
     "a required pointer is NULL",
     "frame, strip, pool or buffer count out of range",
     "the arena is too small or not aligned to 4 bytes",
-    "depth bits outside 8 to 16, or a depth mapping that this camera cannot take",
+    "depth bits outside 8 to 16, or a depth mapping that camera, method or shader cannot take",
     "near, far, focal length, height or rotation of the camera out of range",
     "a position, scale, extent or light that the integers cannot hold",
     "a mesh lacks what its shader reads, or has too many vertices",

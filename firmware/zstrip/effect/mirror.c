@@ -236,12 +236,12 @@ static int largest(zs_q2_30 normal[3], int32_t point[3], const struct zs_mesh *m
 
 int zs_mirror_of(struct zs_mirror *mirror, const struct zs_instance *in, uint32_t tolerance)
 {
+    if (!mirror || !in || !in->mesh || !in->mesh->pos || !in->mesh->tri)
+        return ZS_ERR_NULL;
     const struct zs_mesh *const mesh = in->mesh;
     const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
     zs_q2_30 n[3], world[3];
     int32_t p[3];
-    if (!mesh || !mesh->pos || !mesh->tri)
-        return ZS_ERR_NULL;
     if (largest(n, p, mesh))
         return ZS_ERR_MESH;
     const int64_t at = zs_dot(n, p); /* q2_30 * 1/256 step, |.| < 2^54 */

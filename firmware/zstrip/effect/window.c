@@ -8,6 +8,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/depth.h"
+#include "core/method.h"
 #include "core/pass.h"
 #include "core/raster.h"
 #include "core/rows.h"
@@ -37,7 +39,16 @@ static void window_run(struct zs_job *job, const struct zs_row *row, int32_t fro
     (void)to;
 }
 
-const struct zs_shader zs_shade_window = { .run = window_run, .span = window_span };
+/* A window's key is farther than what it hides: bounds of keys (method/hiz.c) do not hold. */
+static int window_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    (void)in;
+    return config->method->passes || config->depth->span ? ZS_OK : ZS_ERR_DEPTH;
+}
+
+const struct zs_shader zs_shade_window = { .run = window_run,
+                                           .span = window_span,
+                                           .check = window_check };
 
 static int mask_check(const struct zs_renderer *r, const struct zs_pass *pass,
                       const struct zs_pass_memory *memory, uint32_t number)

@@ -66,7 +66,7 @@
 #include "zs_fast.h"
 #include "zs_share.h"
 
-#define MARGIN_MAX (1 << 16)
+#define MARGIN_MAX ((1u << 16) - 1u) /* a mask */
 
 /* ---- Tests ----------------------------------------------------------------------------------- */
 
@@ -88,8 +88,8 @@ static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh,
         return 0;
     const uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y +
                             (uint32_t)z * (uint32_t)z; /* < 3 * 2^28.1 */
-    const uint32_t margin = k->margin + k->thin / c->height + 1u;
-    if (margin > MARGIN_MAX || k->margin > MARGIN_MAX)
+    const uint32_t thin = k->thin / c->height, margin = k->margin + thin + 1u; /* may wrap */
+    if ((k->margin | thin | margin) > MARGIN_MAX)
         return 0;
     ahead -= (128 + c->cutoff) * (int32_t)margin; /* < 2^24 */
     return ahead > 0 && zs_mul_uu((uint32_t)ahead, (uint32_t)ahead) >=

@@ -62,6 +62,8 @@ ZS_RARE static void part_open(struct zs_renderer *r)
     zs_mark_verts(r, p->from, p->to);
     r->n_verts = r->vert_base + zs_marked_verts(r);
     if (r->vert_base == 0) {
+        p->of = r->xform.number;
+        p->least = 0;
         const uint8_t *const mark = (const uint8_t *)r->vert_map;
         while (p->least < r->n_verts && !mark[p->least])
             p->least++;
@@ -98,6 +100,8 @@ ZS_RARE static void bin(struct zs_renderer *r, struct zs_share_part *p, uint32_t
     uint64_t n = 0;
     for (uint32_t i = 0; i < r->n_instances; i++)
         n += zs_primitives_of(zs_instance_of(r, i));
+    if (n > UINT32_MAX) /* they are counted in 32 bits */
+        return;
     const uint32_t at = (uint32_t)(n * cut >> 16);
     *p = (struct zs_share_part){ .begin = core ? at : 0u, .end = core ? (uint32_t)n : at, .ok = 1 };
     r->share = p;
@@ -111,8 +115,10 @@ ZS_RARE static void bin(struct zs_renderer *r, struct zs_share_part *p, uint32_t
     r->config.method = &zs_method_buffer;
     if (r->band_end < r->n_strips)
         p->ok = -1;
-    if (r->vert_packed)
-        p->least = 0;
+    if (r->n_tris == 0)
+        r->n_verts = 0;
+    if (r->vert_packed || r->n_tris == 0 || r->tri[0].instance != p->of)
+        p->least = 0; /* vertices were packed, perhaps all away, or are not those of part_open */
     p->tris = r->n_tris;
     p->verts = r->n_verts;
 }

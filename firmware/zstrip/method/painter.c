@@ -62,7 +62,7 @@ static void painter_strip(struct zs_renderer *r)
 
 static int painter_begin(struct zs_renderer *r)
 {
-    if (!r->config.depth->span) /* the mapping has depth memory */
+    if (r->config.depth != &zs_depth_none)
         return ZS_ERR_DEPTH;
     return r->config.max_tris >= 2 && r->config.max_verts >= 6 ? ZS_OK : ZS_ERR_SIZE;
 }
