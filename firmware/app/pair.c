@@ -111,11 +111,12 @@ void pair_arrived(void)
 
 /* ---- Waiting ----------------------------------------------------------------------------------------------------- */
 
+static uint32_t seen;  /* what look_after saw last ... */
+static uint64_t since; /* ... and since when, in ticks */
+
 /* The second core gets no further: since its frame was posted, nothing has been taken, sent or ended for too long. */
 static void look_after(void)
 {
-    static uint32_t seen;
-    static uint64_t since;
     const uint32_t now = next + sent + ended + posted + steps[0] + steps[1];
     const uint64_t ticks = hal_ticks();
     if (now != seen || ended == posted) {
@@ -280,7 +281,9 @@ int pair_init(const struct zs_config *config, uint32_t *const arena[2], uint32_t
     sink = *to;
     strips = ZS_STRIPS(config->height, config->strip_h);
     buffers = config->buffers == 2 ? 2 : 1;
+    steps[0] = steps[1] = 0; /* a core that stopped in a frame was behind */
     end = first = next = sent;
+    since = hal_ticks();
     alone = second_start(second, send) != HAL_ERR_NONE;
     return ZS_OK;
 }

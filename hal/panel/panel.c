@@ -311,9 +311,11 @@ static int init_refusal(const struct panel_config *config, const void *scratch, 
 int panel_init(struct panel *panel, const struct panel_config *config, struct hal_bus *bus, void *scratch,
                uint32_t n_scratch)
 {
-    if (!panel || !config || !bus)
+    if (!panel)
         return HAL_ERR_ARG;
     panel->state = UNUSABLE;
+    if (!config || !bus)
+        return HAL_ERR_ARG;
     int err = init_refusal(config, scratch, n_scratch);
     if (err)
         return err;
@@ -420,10 +422,14 @@ int panel_brightness(struct panel *panel, uint8_t level)
 int panel_sleep(struct panel *panel)
 {
     int err = ready(panel, AWAKE);
-    err = err ? err : take(panel);
     if (err)
         return err;
+    err = take(panel);
+    if (err == HAL_ERR_BUSY)
+        return err;
     panel->state = ASLEEP; /* also where it fails: who knows what arrived; panel_wake puts it right */
+    if (err)
+        return err;
     err = command(panel, panel->config.type->off, NULL, 0);
     err = err ? err : run(panel, panel->config.type->sleep);
     pause_ms(panel, panel->config.type->wake_ms);

@@ -141,7 +141,8 @@ int panel_wait(struct panel *panel);
 
 /* All of the following block for a few bytes on the wire, and hold the bus as long. Between send and wait:
  * HAL_ERR_STATE; asleep: PANEL_ERR_STATE. They keep on a later set-up, so that what the bus failed to tell the
- * panel is told with the next send. */
+ * panel is told with the next send. Only where the bus was not given (HAL_ERR_BUSY), or failed in the set-up after an
+ * earlier failure, has nothing changed: call again. */
 int panel_rotate(struct panel *panel, uint8_t rotate); /* the glass is cleared; send all of the picture again */
 int panel_invert(struct panel *panel, uint8_t invert);
 /* 255 is full. WRDISBV, contrast or master current; where the glass does not follow (its type's file says):
@@ -149,7 +150,7 @@ int panel_invert(struct panel *panel, uint8_t invert);
 int panel_brightness(struct panel *panel, uint8_t level);
 
 /* Dark, little current; panel_send is refused. Blocks up to 0.12 s, so that panel_wake may follow at once. After a
- * failure, too, only panel_wake leads on. */
+ * failure, too, only panel_wake leads on; but after HAL_ERR_BUSY nothing has changed. */
 int panel_sleep(struct panel *panel);
 
 /* On again. Blocks up to 0.12 s. What was sent before sleep may be gone: send all again. After a failure the panel

@@ -70,7 +70,7 @@ static const struct mode modes[] = {
 
 /* What a mode's seeds have come to, the last of them, and why it failed: written by the processes that play them. */
 struct seen {
-    uint32_t frames, refused, submit, wait, stopped, alone, sent, shared, seed;
+    uint32_t frames, refused, submit, wait, stopped, anew, alone, sent, shared, seed;
     char why[120];
 };
 static struct seen *seen;
@@ -612,6 +612,24 @@ static void pause_a_while(void)
     now += PAUSE_US;
 }
 
+/* Where the second core has stopped: pair_init once more, and both draw again, as if nothing had been. */
+static void draw_anew(const struct zs_config *config, uint32_t *const arena[2], const struct zs_sink *sink)
+{
+    memset(renderers, 0, sizeof renderers);
+    n_renderers = 0;
+    dead = stops = told_stopped = 0;
+    dies_at = UINT32_MAX;
+    started[SECOND] = asleep[SECOND] = woken[SECOND] = 0;
+    if (pair_init(config, arena, 16, sink) != ZS_OK || pair_alone())
+        wrong("pair_init once more");
+    for (uint32_t i = 0; i < FRAMES; i++)
+        one_frame();
+    flush();
+    if (pair_alone())
+        wrong("alone after pair_init");
+    seen->anew++;
+}
+
 static void program(void)
 {
     static uint32_t words[2][4];
@@ -630,6 +648,8 @@ static void program(void)
     if (pair_ticks(0) > now || pair_ticks(1) > now || pair_waited() > now)
         wrong("more ticks than there were");
     seen->alone += (uint32_t)pair_alone();
+    if (told_stopped)
+        draw_anew(&config, arena, &sink);
     over = 1;
     leave();
 }
@@ -715,6 +735,7 @@ static void seeds(void **state)
     assert_int_equal(mode->wait > 0, seen->wait > tried);
     assert_int_equal(mode->refused > 0, seen->refused > tried);
     assert_int_equal(mode->dies, seen->stopped > tried / 4);
+    assert_int_equal(seen->anew, seen->stopped);
     assert_true(mode->dies || seen->alone == (mode->no_start ? tried : 0));
     assert_int_equal(!mode->no_start, seen->shared > 0);
     assert_true(seen->frames > tried * FRAMES / 4);

@@ -671,8 +671,13 @@ static void bad_configurations(void **state)
     assert_int_equal(panel_init(&panel, &mono, &w.bus, NULL, 4096), PANEL_ERR_SCRATCH);
     assert_int_equal(panel_init(&panel, &mono, &w.bus, scratch + 2, 4096), PANEL_ERR_SCRATCH);
     assert_int_equal(panel_init(NULL, &mono, &w.bus, scratch, 4096), HAL_ERR_ARG);
-    assert_int_equal(panel_init(&panel, NULL, &w.bus, scratch, 4096), HAL_ERR_ARG);
-    assert_int_equal(panel_init(&panel, &mono, NULL, scratch, 4096), HAL_ERR_ARG);
+    for (int k = 0; k < 2; k++) { /* one that is awake cannot be used then */
+        panel.locked = 0;
+        assert_int_equal(bring_up(&panel, &w, &good), HAL_ERR_NONE);
+        assert_int_equal(panel_init(&panel, k ? &mono : NULL, k ? NULL : &w.bus, scratch, 4096), HAL_ERR_ARG);
+        assert_int_equal(panel_send(&panel, &r, px, 0), PANEL_ERR_STATE);
+    }
+    w.verbs = 0, w.locks = 0;
     w.refuse = 1;
     assert_int_equal(panel_init(&panel, &mono, &w.bus, scratch, 4096), HAL_ERR_BUSY);
     assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
@@ -941,6 +946,18 @@ static void settings_outlive_failures(void **state)
         assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
         assert_false(w.held);
     }
+    w.fail_at = w.verbs + 1; /* broken, and then in the set-up of sleep */
+    assert_int_equal(panel_invert(&panel, 0), HAL_ERR_BUS);
+    w.refuse = 1;
+    assert_int_equal(panel_sleep(&panel), HAL_ERR_BUSY); /* nothing has changed */
+    assert_int_equal(panel_wake(&panel), PANEL_ERR_STATE);
+    w.refuse = 0;
+    w.fail_at = w.verbs + 1;
+    assert_int_equal(panel_sleep(&panel), HAL_ERR_BUS);
+    assert_int_equal(panel_send(&panel, &r, px, 0), PANEL_ERR_STATE);
+    assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
+    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     sim_kept_end(w.log);
 }
 
