@@ -29,6 +29,7 @@ static bool on_sent(esp_lcd_panel_io_handle_t io, esp_lcd_panel_io_event_data_t 
 static int send(void *ctx, const struct zs_strip *strip)
 {
     (void)ctx;
+    (void)xSemaphoreTake(sent, 0); /* of what was sent beside zstrip, or came after its time was over */
     return esp_lcd_panel_draw_bitmap(lcd, strip->x, strip->y, strip->x + strip->w, strip->y + strip->h, strip->px)
                ? -200
                : 0;

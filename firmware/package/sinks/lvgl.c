@@ -1,5 +1,7 @@
 /* A 3D picture as an LVGL 9 object: drawn into whatever part of the screen LVGL draws, its partial draw buffers
- * included. A display of RGB565 and the software renderer are taken for granted.
+ * included. It needs LVGL's software renderer in LVGL's own thread (LV_USE_OS is LV_OS_NONE), and is seen on a display
+ * of RGB565 alone, where neither the object nor what it lies in is drawn as a layer of another format (opacity, blend
+ * mode, transform).
  *
  *   static struct lvgl_view view = { &screen, 16, open };    open: zs_frame_begin of what is to be seen
  *   lv_obj_t *obj = lvgl_view_create(lv_screen_active(), &view, 240, 240);
@@ -10,6 +12,10 @@
 #include <lvgl.h>
 
 #include "zstrip.h"
+
+#if defined(LV_USE_OS) && LV_USE_OS
+#error "zstrip's lvgl.c needs LV_USE_OS LV_OS_NONE: LVGL's drawing threads could fill what it has drawn"
+#endif
 
 struct lvgl_view {
     struct zs_renderer *renderer;
@@ -41,7 +47,7 @@ static void draw(lv_event_t *e)
     lv_area_t at;
     struct zs_strip strip;
     lv_obj_get_coords(lv_event_get_target_obj(e), &at);
-    if (view->open())
+    if (!lv_draw_layer_alloc_buf(layer) || layer->color_format != LV_COLOR_FORMAT_RGB565 || view->open())
         return;
     for (int32_t y = at.y1; y <= layer->_clip_area.y2;) { /* strips above the part are left out, undrawn */
         const int above = y + view->rows <= layer->_clip_area.y1;

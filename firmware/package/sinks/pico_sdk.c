@@ -12,18 +12,15 @@
 enum { SCK = 18, MOSI = 19, CS = 17, DC = 20, RESET = 21, HZ = 62500000 };
 
 static int channel; /* of the DMA */
-
-static void finish(void)
-{
-    dma_channel_wait_for_finish_blocking((uint)channel);
-    while (spi_is_busy(spi0))
-        tight_loop_contents();
-    gpio_put(CS, true);
-}
+static int busy;    /* from data to wait */
 
 static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
 {
     (void)bus;
+    if (n && !args)
+        return HAL_ERR_ARG;
+    if (busy)
+        return HAL_ERR_STATE;
     gpio_put(DC, false);
     gpio_put(CS, false);
     (void)spi_write_blocking(spi0, &code, 1);
@@ -39,6 +36,9 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     (void)bus;
     if (!bytes || !n)
         return HAL_ERR_ARG;
+    if (busy)
+        return HAL_ERR_STATE;
+    busy = 1;
     gpio_put(DC, true);
     gpio_put(CS, false);
     dma_channel_config config = dma_channel_get_default_config((uint)channel);
@@ -50,7 +50,15 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
 
 static int wait(struct hal_bus *bus)
 {
-    finish();
+    if (!busy)
+        return HAL_ERR_NONE;
+    while (dma_channel_is_busy((uint)channel))
+        if (bus->hooks.idle)
+            bus->hooks.idle(bus->hooks.ctx);
+    while (spi_is_busy(spi0))
+        tight_loop_contents();
+    gpio_put(CS, true);
+    busy = 0;
     if (bus->hooks.done)
         bus->hooks.done(bus->hooks.ctx);
     return HAL_ERR_NONE;
@@ -64,6 +72,8 @@ static void delay(struct hal_bus *bus, uint32_t us)
 
 static int reset(struct hal_bus *bus)
 {
+    if (busy)
+        return HAL_ERR_STATE;
     gpio_put(RESET, false);
     delay(bus, 100);
     gpio_put(RESET, true);
@@ -71,7 +81,7 @@ static int reset(struct hal_bus *bus)
     return HAL_ERR_NONE;
 }
 
-struct hal_bus pico_bus = { command, data, wait, reset, delay, { 0, 0, 0, 0, 0 } };
+struct hal_bus pico_bus = { .command = command, .data = data, .wait = wait, .reset = reset, .delay = delay };
 
 void pico_bus_init(void);
 void pico_bus_init(void)

@@ -3,6 +3,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include <errno.h>
+
 #include <zephyr/device.h>
 #include <zephyr/drivers/display.h>
 
@@ -25,5 +27,8 @@ const struct zs_sink *zephyr_sink(void)
     static struct zs_sink sink = { .submit = send };
     const struct device *display = DEVICE_DT_GET(DT_CHOSEN(zephyr_display));
     sink.ctx = (void *)display;
-    return device_is_ready(display) && display_blanking_off(display) == 0 ? &sink : NULL;
+    if (!device_is_ready(display))
+        return NULL;
+    const int err = display_blanking_off(display);
+    return err == 0 || err == -ENOSYS ? &sink : NULL; /* -ENOSYS: this display is never blank */
 }

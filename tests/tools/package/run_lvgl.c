@@ -43,13 +43,29 @@ void lv_obj_get_coords(const lv_obj_t *obj, lv_area_t *at)
     *at = (lv_area_t){ 0, 0, 239, 239 };
 }
 
+static lv_draw_buf_t buffer, *room = &buffer; /* NULL: no memory */
+void *lv_draw_layer_alloc_buf(lv_layer_t *layer)
+{
+    if (!layer->draw_buf)
+        layer->draw_buf = room;
+    return layer->draw_buf ? layer->draw_buf->data : NULL;
+}
+
+/* Layers come without a buffer. One that gets none, or is of another format, is left as it is. */
 static void part(lv_area_t area)
 {
     static uint8_t memory[240 * 240 * 2];
     const int32_t w = area.x2 - area.x1 + 1, h = area.y2 - area.y1 + 1;
-    lv_draw_buf_t buffer = { { (uint32_t)w * 2u }, memory };
-    lv_layer_t layer = { &buffer, area, area };
+    buffer = (lv_draw_buf_t){ { (uint32_t)w * 2u }, memory };
+    lv_layer_t layer = { NULL, area, LV_COLOR_FORMAT_RGB565, area };
     lv_event_t e = { &layer, NULL, user };
+    draws(&e);
+    room = NULL;
+    layer.draw_buf = NULL;
+    draws(&e);
+    room = &buffer;
+    buffer.data = memory + 1; /* where a wrong one would be seen */
+    layer.color_format = LV_COLOR_FORMAT_ARGB8888;
     draws(&e);
     stub_put(area.x1, area.y1, w, h, memory, 1);
 }

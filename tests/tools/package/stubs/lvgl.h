@@ -7,7 +7,14 @@
 typedef struct { int32_t x1, y1, x2, y2; } lv_area_t;
 typedef struct { uint32_t stride; } lv_image_header_t;
 typedef struct { lv_image_header_t header; uint8_t *data; } lv_draw_buf_t;
-typedef struct { lv_draw_buf_t *draw_buf; lv_area_t buf_area, _clip_area; } lv_layer_t;
+typedef enum { LV_COLOR_FORMAT_RGB565 = 0x12, LV_COLOR_FORMAT_ARGB8888 = 0x10 } lv_color_format_t;
+typedef struct {
+    lv_draw_buf_t *draw_buf;
+    lv_area_t buf_area;
+    lv_color_format_t color_format;
+    lv_area_t _clip_area;
+} lv_layer_t;
+void *lv_draw_layer_alloc_buf(lv_layer_t *layer); /* NULL: no memory */
 typedef struct lv_obj lv_obj_t;
 typedef struct { lv_layer_t *layer; lv_obj_t *target; void *user; } lv_event_t;
 typedef void (*lv_event_cb_t)(lv_event_t *e);

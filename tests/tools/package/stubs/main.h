@@ -19,6 +19,7 @@ HAL_StatusTypeDef HAL_SPI_Transmit(SPI_HandleTypeDef *spi, uint8_t *data, uint16
 HAL_StatusTypeDef HAL_SPI_Transmit_DMA(SPI_HandleTypeDef *spi, uint8_t *data, uint16_t n);
 HAL_StatusTypeDef HAL_SPI_Abort(SPI_HandleTypeDef *spi);
 void HAL_SPI_TxCpltCallback(SPI_HandleTypeDef *spi);
+void HAL_SPI_ErrorCallback(SPI_HandleTypeDef *spi);
 void HAL_GPIO_WritePin(GPIO_TypeDef *port, uint16_t pin, GPIO_PinState state);
 uint32_t HAL_GetTick(void);
 void HAL_Delay(uint32_t ms);

@@ -12,4 +12,4 @@ void channel_config_set_transfer_data_size(dma_channel_config *c, enum dma_chann
 void channel_config_set_dreq(dma_channel_config *c, uint dreq);
 void dma_channel_configure(uint channel, const dma_channel_config *config, volatile void *to, const volatile void *from,
                            uint transfers, bool trigger);
-void dma_channel_wait_for_finish_blocking(uint channel);
+bool dma_channel_is_busy(uint channel);
