@@ -253,13 +253,9 @@ static int next_strip(struct zs_strip *strip)
  * drawn. */
 static int draw_frame(uint32_t t, int alone)
 {
-    const uint32_t strips = (SHOW_HEIGHT + show.rows - 1u) / show.rows;
     const int each = alone || (SHOW_BUFFERS == 1 && !converted);
     struct zs_strip strip;
     int err = begin(t), got;
-    /* the first strip goes where the last one lies that is still out */
-    if (!err && !converted && strips % SHOW_BUFFERS)
-        err = wait_for_panel();
     while (!err && (got = next_strip(&strip)) != 0) {
         err = got < 0 ? got : wait_for_panel();
         if (!err)

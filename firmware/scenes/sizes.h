@@ -6,8 +6,7 @@
 #ifndef SIZES_H
 #define SIZES_H
 
-/* Frames of the animation a second; rows of a strip (an even number of strips lets a frame begin while the one before
- * it still leaves); triangles; vertices; 16-bit words a vertex. */
+/* Frames of the animation a second; rows of a strip; triangles; vertices; 16-bit words a vertex. */
 #define SIZES_teapot 30, 60, 1792, 1664, ZS_VARYINGS_SMOOTH
 #define SIZES_china 20, 60, 1792, 1664, ZS_VARYINGS_TEXTURE_SMOOTH
 #define SIZES_cubes 30, 60, 64, 80, ZS_VARYINGS_FLAT

@@ -1,4 +1,5 @@
-/* zstrip's strips through LovyanGFX: by DMA, so that it is another strip's turn to be drawn while one leaves. */
+/* zstrip's strips through LovyanGFX, by DMA. A renderer of two buffers (ZS_RENDERER_BUFFERS, 7.7 KB more here) draws
+ * the next strip while one leaves; with one, as here, each is waited for. */
 #define LGFX_AUTODETECT
 #include <LovyanGFX.hpp>
 #include <LGFX_AUTODETECT.hpp>
