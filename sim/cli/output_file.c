@@ -13,6 +13,7 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "sim.h"
@@ -22,6 +23,21 @@
 /* Temporary files that exist, for the signal handler: pointers are set and cleared whole. */
 static char *volatile pending[OPEN_MAX_OUTPUTS];
 static pid_t owner; /* a child has its parent's list */
+
+static const char *volatile unfinished; /* a folder */
+
+/* In a signal handler: by a program of its own. */
+static void remove_unfinished(void)
+{
+    const char *const folder = unfinished;
+    const pid_t child = folder != NULL && getpid() == owner ? fork() : -1;
+    if (child == 0) {
+        (void)execl("/bin/rm", "rm", "-rf", "--", folder, (char *)NULL);
+        _exit(1);
+    }
+    if (child > 0)
+        (void)waitpid(child, NULL, 0);
+}
 
 static void remove_pending(void)
 {
@@ -33,23 +49,35 @@ static void remove_pending(void)
 static void on_signal(int number)
 {
     remove_pending();
+    remove_unfinished();
     (void)signal(number, SIG_DFL);
     (void)raise(number);
 }
 
-static void watch(char *temporary)
+static void watch_signals(void)
 {
     static int installed;
-    if (!installed) {
-        installed = 1;
-        owner = getpid();
-        (void)atexit(remove_pending);
-        (void)signal(SIGXFSZ, SIG_IGN); /* a write beyond a limit of size fails instead */
-        const int numbers[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE };
-        for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-            if (signal(numbers[i], on_signal) == SIG_IGN)
-                (void)signal(numbers[i], SIG_IGN); /* nohup stays nohup */
-    }
+    if (installed)
+        return;
+    installed = 1;
+    owner = getpid();
+    (void)atexit(remove_pending);
+    (void)signal(SIGXFSZ, SIG_IGN); /* a write beyond a limit of size fails instead */
+    const int numbers[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        if (signal(numbers[i], on_signal) == SIG_IGN)
+            (void)signal(numbers[i], SIG_IGN); /* nohup stays nohup */
+}
+
+void sim_output_unfinished(const char *folder)
+{
+    watch_signals();
+    unfinished = folder;
+}
+
+static void watch(char *temporary)
+{
+    watch_signals();
     for (int i = 0; i < OPEN_MAX_OUTPUTS; i++)
         if (pending[i] == NULL) {
             pending[i] = temporary;
@@ -72,6 +100,27 @@ static char *folder_of(const char *path)
     char *folder = sim_alloc(n + 2, 1);
     memcpy(folder, n > 0 ? path : ".", n > 0 ? n : 1);
     return folder;
+}
+
+int sim_output_same(const char *a, const char *b)
+{
+    struct stat sa, sb;
+    const int there_a = stat(a, &sa) == 0, there_b = stat(b, &sb) == 0;
+    if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0)
+        return strcmp(a, b) == 0;
+    if (there_a || there_b) {
+        const int one = there_a && there_b && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+        return one && S_ISREG(sa.st_mode);
+    }
+    const char *slash_a = strrchr(a, '/'), *slash_b = strrchr(b, '/');
+    if (strcmp(slash_a != NULL ? slash_a + 1 : a, slash_b != NULL ? slash_b + 1 : b) != 0)
+        return 0;
+    char *folder_a = folder_of(a), *folder_b = folder_of(b);
+    const int found = stat(folder_a, &sa) == 0 && stat(folder_b, &sb) == 0;
+    const int same = found ? sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino : strcmp(folder_a, folder_b) == 0;
+    free(folder_a);
+    free(folder_b);
+    return same;
 }
 
 int sim_output_check(const char *name, const char *source)
@@ -256,8 +305,11 @@ int sim_output_folder(const char *path, size_t most)
         if (path[i] == '/' || path[i] == '\0') {
             memcpy(part, path, i);
             part[i] = '\0';
+            struct stat st;
             if (mkdir(part, 0777) && errno != EEXIST)
                 return sim_refuse(part, 0, "cannot make this folder: %s", strerror(errno));
+            if (stat(part, &st) == 0 && !S_ISDIR(st.st_mode))
+                return sim_refuse(part, 0, "is not a folder; name another by --out");
         }
     return SIM_OK;
 }

@@ -15,6 +15,12 @@ struct sim_output {
     const char *name; /* as given, for messages; borrowed */
 };
 
+/* Do two names stand for one file, there or not yet? "-" is its own; devices are not files. */
+int sim_output_same(const char *a, const char *b);
+
+/* From here on until NULL is given, this folder and all in it are removed where the program is stopped by a signal. */
+void sim_output_unfinished(const char *folder);
+
 /* Could this path be written, as far as one can tell without writing? SIM_OK; SIM_REFUSED, said
  * why. source: a file that must not be overwritten, or NULL. */
 int sim_output_check(const char *name, const char *source);

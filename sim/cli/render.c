@@ -424,15 +424,6 @@ static int write_files(const struct job *job)
     return status;
 }
 
-static int same_file(const char *a, const char *b)
-{
-    struct stat sa, sb;
-    if (strcmp(a, b) == 0)
-        return strcmp(a, "-") == 0 || stat(a, &sa) != 0 || S_ISREG(sa.st_mode);
-    return stat(a, &sa) == 0 && stat(b, &sb) == 0 && S_ISREG(sa.st_mode) &&
-           sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
-}
-
 /* Before the work, what can be known about the files. */
 static int check_files(const struct sim_options *o)
 {
@@ -442,7 +433,7 @@ static int check_files(const struct sim_options *o)
         if (name[i] == NULL)
             continue;
         for (int k = 0; k < i; k++)
-            if (name[k] != NULL && same_file(name[i], name[k]))
+            if (name[k] != NULL && sim_output_same(name[i], name[k]))
                 return sim_refuse(name[i], 0, "is named for two outputs; give each its own");
         const int status = sim_output_check(name[i], o->model);
         if (status != SIM_OK)
@@ -489,6 +480,10 @@ static void say_losses(const struct job *job)
 {
     char lead[4200];
     (void)snprintf(lead, sizeof lead, "%s: %s: ", sim_program, job->options.model);
+    const char *const materials = job->model.lost_materials;
+    if (materials != NULL)
+        (void)fprintf(stderr, "%smaterial file %s cannot be read: its colours and textures are missing\n", lead,
+                      materials);
     sim_losses_print(stderr, lead, job->scene == NULL ? job->model.lost : job->scene->lost);
 }
 

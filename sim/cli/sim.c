@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 const char *sim_program = "zsim";
+const char *sim_command;
 const char *sim_no_memory;
 
 int sim_quiet;
@@ -75,7 +76,8 @@ int sim_usage(const char *format, ...)
     (void)vsnprintf(text, sizeof text, format, args);
     va_end(args);
     char line[1152];
-    (void)snprintf(line, sizeof line, "%s: %s; see %s --help", sim_program, text, sim_program);
+    (void)snprintf(line, sizeof line, "%s: %s; see %s%s%s --help", sim_program, text, sim_program,
+                   sim_command != NULL ? " " : "", sim_command != NULL ? sim_command : "");
     print_line(line);
     return SIM_USAGE;
 }

@@ -16,6 +16,8 @@ enum sim_status {
 
 /* The program's name in its messages: "zsim" where this is not set. Borrowed. */
 extern const char *sim_program;
+/* The command that runs, for messages; NULL: none. Borrowed. */
+extern const char *sim_command;
 
 /* Above 0: sim_refuse prints nothing, for what is tried and may fail. */
 extern int sim_quiet;

@@ -19,7 +19,7 @@
 /* ---- Reading --------------------------------------------------------------------------------- */
 
 /* Does the file begin as a PNG or a JPEG? What cannot be read is left to the loader to refuse. */
-static int is_picture(const char *file)
+int sim_is_picture(const char *file)
 {
     static const unsigned char png[4] = { 0x89, 'P', 'N', 'G' }, jpeg[3] = { 0xff, 0xd8, 0xff };
     unsigned char head[4] = { 0 };
@@ -127,7 +127,7 @@ static int write_all(const struct sim_conversion *c)
     name_files(path, &c->options);
     int status = make_folder(c->options.out, &made);
     if (status == SIM_OK && path[2] != NULL &&
-        (strcmp(path[2], path[0]) == 0 || strcmp(path[2], path[1]) == 0))
+        (sim_output_same(path[2], path[0]) || sim_output_same(path[2], path[1])))
         status = sim_refuse(path[2], 0, "is named for two outputs; give --map another");
     if (status == SIM_OK)
         status = write_files(c, path);
@@ -147,7 +147,7 @@ int sim_convert(int argc, char **argv)
     if (status == SIM_OK && c->options.help) {
         sim_convert_help();
     } else if (status == SIM_OK) {
-        status = is_picture(c->options.input) ? read_picture(c) : read_model(c);
+        status = sim_is_picture(c->options.input) ? read_picture(c) : read_model(c);
         if (status == SIM_OK)
             status = write_all(c);
         sim_progress_end();

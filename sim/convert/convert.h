@@ -20,6 +20,9 @@ struct sim_conversion {
 /* argv: the arguments after "convert". Return an enum sim_status. */
 int sim_convert(int argc, char **argv);
 
+/* Does this file begin as a PNG or a JPEG does? */
+int sim_is_picture(const char *file);
+
 /* NAME.h, NAME.c and the --map file into open streams; errors show in ferror. */
 void sim_convert_header(FILE *f, const struct sim_conversion *c);
 void sim_convert_source(FILE *f, const struct sim_conversion *c);

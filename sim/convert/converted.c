@@ -35,6 +35,12 @@ static int refuse_untextured(const struct sim_model *model, const char *file)
                           "no textures: its material file %s cannot be read; put it beside the "
                           "model, or name a picture by --texture",
                           model->lost_materials);
+    int placed = 0;
+    for (uint32_t t = 0; model->has_uv != NULL && t < model->n_tris; t++)
+        placed |= model->has_uv[t];
+    if (!placed)
+        return sim_refuse(file, 0,
+                          "has no texture coordinates; unwrap it in a modeller, or give --shade smooth or flat");
     return sim_refuse(file, 0,
                       "no face of it has a texture and coordinates for it; name a picture by "
                       "--texture, or give --shade smooth or flat");

@@ -168,12 +168,16 @@ void sim_simplify(struct sim_model *model, const char *text)
     const struct mesh *best = plain.vertex != NULL && plain.n_result < m.n_result ? &plain : &m;
     if (best->n_result >= 3)
         put_back(model, best);
+    else
+        model->simplified_to_none = 1;
     mesh_free(&m);
     mesh_free(&plain);
 }
 
 void sim_simplify_print(FILE *f, const char *lead, const struct sim_model *model)
 {
+    if (model->simplified_to_none)
+        (void)fprintf(f, "%snot simplified: no triangle would be left; give --simplify more than that\n", lead);
     if (model->simplified_from > 0)
         (void)fprintf(f,
                       "%ssimplified: %u triangles before, %u after, off by about %.2g %% of the "

@@ -281,8 +281,7 @@ static int hex_digit(char c)
                                   : -1;
 }
 
-/* "%20" to a space, in place. */
-static void decode_percents(char *text)
+void sim_decode_percents(char *text)
 {
     char *to = text;
     for (const char *p = text; *p != '\0'; p++, to++) {
@@ -308,7 +307,7 @@ static char *find_picture(const char *model_file, const char *given)
     memcpy(name, given, n);
     for (int way = 0; way < 4; way++) { /* as given, percents decoded; then bare, the same */
         if (way == 1 || way == 3)
-            decode_percents(name);
+            sim_decode_percents(name);
         if (way == 2)
             memcpy(name, given, n + 1);
         for (char *p = name; *p != '\0'; p++)

@@ -24,6 +24,9 @@ struct sim_use {
     double rough, metal;  /* glTF: by which its highlights take the texture's colour; rough < 0: they do not */
 };
 
+/* "%20" to a space, in place. */
+void sim_decode_percents(char *text);
+
 /* How a material looks, but for its colour and texture. material and mtl as below. */
 void sim_material_look(struct sim_material *to, const struct aiMaterial *material,
                        const struct sim_mtl_entry *mtl);

@@ -147,6 +147,42 @@ static char *read_text(const char *path, size_t *bytes)
     return text;
 }
 
+/* "mtllib a.mtl b.mtl" names two files, where there is none of that whole name: their texts, one after the other.
+ * NULL: none is there. `path` becomes the first that is not; "": all are. */
+static char *read_several(const struct load *l, char *path, size_t *bytes)
+{
+    const char *slash = strrchr(l->file, '/');
+    const size_t folder = slash != NULL ? (size_t)(slash - l->file) + 1 : 0, n = strlen(path);
+    char *name = sim_alloc(n + 1, 1), *all = NULL, *missing = NULL;
+    if (folder > n || strncmp(path, l->file, folder) != 0 || strpbrk(path + folder, " \t") == NULL) {
+        free(name);
+        return NULL;
+    }
+    *bytes = 0;
+    for (const char *at = path + folder; *at != '\0'; at += strspn(at, " \t")) {
+        const size_t length = strcspn(at, " \t");
+        size_t more;
+        (void)snprintf(name, n + 1, "%.*s%.*s", (int)folder, path, (int)length, at);
+        char *text = read_text(name, &more);
+        if (text == NULL && missing == NULL)
+            missing = strcpy(sim_alloc(n + 1, 1), name);
+        if (text != NULL) {
+            all = sim_grow(all, *bytes + more + 2, 1);
+            memcpy(all + *bytes, text, more);
+            *bytes += more;
+            all[(*bytes)++] = '\n';
+            all[*bytes] = '\0';
+        }
+        free(text);
+        at += length;
+    }
+    if (all != NULL)
+        (void)strcpy(path, missing != NULL ? missing : "");
+    free(missing);
+    free(name);
+    return all;
+}
+
 /* A material file of an OBJ: for assimp, and for a scan of its own. */
 static char *read_materials(struct load *l, const char *name, size_t *bytes)
 {
@@ -157,6 +193,11 @@ static char *read_materials(struct load *l, const char *name, size_t *bytes)
             *p = '/';
     if (text == NULL)
         text = read_text(path, bytes);
+    if (text == NULL) {
+        text = read_several(l, path, bytes);
+        if (text != NULL && path[0] != '\0' && l->model->lost_materials == NULL)
+            l->model->lost_materials = strcpy(sim_alloc(strlen(path) + 1, 1), path);
+    }
     if (text == NULL && l->model->lost_materials == NULL) {
         l->model->lost_materials = path;
         return NULL;
@@ -184,6 +225,12 @@ static struct aiFile *stream_open(struct aiFileIO *io, const char *name, const c
         return sim_memory_file(obj ? l->obj.text : l->text, obj ? l->obj.text_bytes : l->bytes, NULL);
     size_t bytes;
     char *own = obj ? read_materials(l, name, &bytes) : read_text(name, &bytes);
+    if (own == NULL && !obj && strchr(name, '%') != NULL) { /* glTF names files by URIs */
+        char *plain = strcpy(sim_alloc(strlen(name) + 1, 1), name);
+        sim_decode_percents(plain);
+        own = read_text(plain, &bytes);
+        free(plain);
+    }
     return own != NULL ? sim_memory_file(own, bytes, own) : NULL;
 }
 
@@ -225,7 +272,7 @@ static int import(struct load *l)
         (void)aiDetachLogStream(&log);
     if (sim_outside_check() != SIM_OK || l->wide_materials)
         return SIM_REFUSED;
-    if (l->scene == NULL) {
+    if (l->scene == NULL && l->complaint[0] == '\0') {
         const char *why = aiGetErrorString();
         if (why != NULL && strstr(why, "bad_alloc") != NULL && sim_no_memory != NULL)
             return sim_refuse(NULL, 0, "%s", sim_no_memory);
@@ -355,7 +402,8 @@ static struct zs_rgb material_rgb(const struct load *l, const struct aiMaterial 
         return plain;
     struct aiString name;
     if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
-        strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0)
+        (strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0 ||
+         (l->family == FAMILY_OBJ && sim_mtl_find(&l->mtl, name.data) == NULL))) /* 0.6 */
         return plain;
     if (aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &c) != aiReturn_SUCCESS)
         return plain;
@@ -410,15 +458,22 @@ static void fill_materials(struct load *l)
 static void count_losses(struct load *l)
 {
     struct sim_model *model = l->model;
+    enum { USED = 1, PLACED = 2 }; /* by a face; by one with texture coordinates */
     uint8_t *used = sim_alloc(model->n_materials, 1);
     for (uint32_t t = 0; t < model->n_tris; t++)
-        used[model->tri_material[t]] = 1;
+        used[model->tri_material[t]] |= model->has_uv != NULL && model->has_uv[t] ? USED | PLACED : USED;
     sim_losses_count(model->lost, l->scene, l->family == FAMILY_OBJ ? NULL : used);
+    for (uint32_t i = 0; l->use != NULL && l->want->picture == NULL && i < model->n_materials; i++)
+        if (used[i] == USED && l->use[i].path[0] != '\0')
+            sim_lose(model->lost, SIM_LOST_UNPLACED, model->material[i].name);
     for (uint32_t i = 0; l->family == FAMILY_OBJ && i < model->n_materials; i++) {
         const struct sim_mtl_entry *mtl = used[i] ? sim_mtl_find(&l->mtl, model->material[i].name) : NULL;
         for (int kind = 0; mtl != NULL && kind < SIM_LOST_KINDS; kind++)
             if (mtl->other_maps >> kind & 1)
                 sim_lose(model->lost, (enum sim_lost_kind)kind, model->material[i].name);
+        if (used[i] && mtl == NULL && l->has_materials && model->material[i].name[0] != '\0' &&
+            strcmp(model->material[i].name, AI_DEFAULT_MATERIAL_NAME) != 0)
+            sim_lose(model->lost, SIM_LOST_MATERIAL, model->material[i].name);
         if (mtl != NULL && mtl->mask != NULL && mtl->picture == NULL)
             sim_lose(model->lost, SIM_LOST_OPACITY_MAP, model->material[i].name);
     }
@@ -621,6 +676,8 @@ static int look_through(struct load *l)
         status = sim_stl_check(l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OTHER)
         status = sim_gltf_check(l->file, l->text, l->bytes);
+    if (status == SIM_OK && l->family == FAMILY_OTHER)
+        sim_gltf_required(l->model->lost, l->file, l->text, l->bytes);
     if (l->family == FAMILY_OBJ) {
         free(l->text);
         l->text = NULL;

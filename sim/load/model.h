@@ -50,6 +50,7 @@ struct sim_model {
     double lo[3], hi[3];     /* box around the points */
     double center[3], radius; /* of a sphere around the points, > 0 */
     double simplify_error;    /* of the extent, where simplified_from is not 0 */
+    uint8_t simplified_to_none; /* flag: it was not, as no triangle would be left */
     uint32_t simplified_from; /* triangles in the file, where it was simplified; 0: it was not */
 };
 

@@ -12,6 +12,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "losses.h"
+
 #define SIM_NONE UINT32_MAX
 
 /* An OBJ file's points and faces, exactly as written, and the same file cleaned up for assimp. */
@@ -61,6 +63,9 @@ const struct sim_mtl_entry *sim_mtl_find(const struct sim_mtl *mtl, const char *
 int sim_gltf_check(const char *file, const char *text, size_t bytes);
 int sim_ply_check(const char *file, const char *text, size_t bytes);
 int sim_stl_check(const char *file, const char *text, size_t bytes);
+
+/* Of a glTF file: note the extensions that it requires and that are not read. Other files: nothing. */
+void sim_gltf_required(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
 
 /* A sentence for what assimp says of a glTF file; NULL: none is known. */
 const char *sim_gltf_words(const char *file, const char *heard);

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -32,12 +34,44 @@ int sim_gltf_check(const char *file, const char *text, size_t bytes)
     return SIM_OK;
 }
 
+void sim_gltf_required(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
+{
+    static const char *const known[] = { "KHR_materials_unlit", "KHR_texture_transform", "KHR_mesh_quantization",
+                                         "KHR_materials_pbrSpecularGlossiness", "KHR_draco_mesh_compression" };
+    static const char key[] = "\"extensionsRequired\"";
+    const int binary = ends_in(file, ".glb");
+    if ((!binary && !ends_in(file, ".gltf")) || bytes < 20)
+        return;
+    const char *at = binary ? text + 20 : text;
+    const char *const end = binary && u32(text + 12) < bytes - 20 ? at + u32(text + 12) : text + bytes;
+    while (end - at > (ptrdiff_t)sizeof key && memcmp(at, key, sizeof key - 1) != 0)
+        at++;
+    if (end - at <= (ptrdiff_t)sizeof key)
+        return;
+    for (at += sizeof key - 1; at < end && *at != ']'; at++) {
+        const char *const stop = *at == '"' ? memchr(at + 1, '"', (size_t)(end - at - 1)) : NULL;
+        if (stop == NULL)
+            continue;
+        char name[64];
+        (void)snprintf(name, sizeof name, "%.*s", (int)(stop - at - 1 < 63 ? stop - at - 1 : 63), at + 1);
+        int read = 0;
+        for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+            read |= strcmp(name, known[i]) == 0;
+        if (!read)
+            sim_lose(lost, SIM_LOST_EXTENSION, name);
+        at = stop;
+    }
+}
+
 const char *sim_gltf_words(const char *file, const char *heard)
 {
     static const struct {
         const char *heard, *words;
     } known[] = {
-        { "No suitable reader", "its JSON does not end or is broken; get the whole file" },
+        { "No suitable reader", "its JSON does not end or is broken, or it is no glTF 2.0; get the whole file, or export "
+                                "it as glTF 2.0" },
+        { "missing the \"uri\" attribute", "a buffer has no data; where it is compressed (EXT_meshopt_compression), export "
+                                         "it uncompressed" },
         { "GLTF: No scene", "no scene in it; export the model again" },
         { "recursive reference", "its nodes hold each other in a ring; export the model again" },
         { "GLTF: Accessor with", "an accessor goes beyond its buffer; get the whole file" },

@@ -188,8 +188,9 @@ void sim_mtl_scan(struct sim_mtl *mtl, const char *text, size_t bytes)
     if (bytes >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
         text += 3; /* byte order mark */
     for (const char *at = text; at < end;) {
-        const char *stop = memchr(at, '\n', (size_t)(end - at));
-        stop = stop != NULL ? stop : end;
+        const char *stop = at;
+        while (stop < end && *stop != '\n' && *stop != '\r')
+            stop++;
         take_line(mtl, at, stop);
         at = stop < end ? stop + 1 : end;
     }

@@ -294,10 +294,10 @@ static void skip_lines(struct ply *s, int rest)
 {
     if (s->format != FORMAT_ASCII)
         return;
-    while (rest && s->p < s->end && *s->p != '\n')
+    while (rest && s->p < s->end && *s->p != '\n' && *s->p != '\r')
         s->p++;
     while (s->p < s->end && strchr(" \t\r\n", *s->p) && *s->p != '\0') {
-        if (*s->p == '\n')
+        if (*s->p == '\n' || (*s->p == '\r' && (s->p + 1 == s->end || s->p[1] != '\n')))
             s->line++;
         s->p++;
     }

@@ -17,6 +17,7 @@
 #include "convert_options.h"
 #include "option_help.h"
 #include "option_table.h"
+#include "output_file.h"
 #include "project_files.h"
 #include "sim.h"
 #include "zs_lights.h"
@@ -311,6 +312,8 @@ static int make_project(struct request *rq, const char *sources, const char *nam
     struct sim_convert_options convert;
     int status = sim_convert_parse(&convert, rq->n_convert, rq->convert); /* for the model's name */
     free(convert.command);
+    if (status == SIM_OK && sim_is_picture(convert.input))
+        status = sim_refuse(convert.input, 0, "is a picture; zsim new takes a model, zsim convert takes pictures");
     if (status == SIM_OK)
         status = sim_convert(rq->n_convert, rq->convert);
     if (status == SIM_OK)
@@ -321,6 +324,24 @@ static int make_project(struct request *rq, const char *sources, const char *nam
         (void)printf("%s: the program is main.c; make -C %s show%s\n", rq->out, rq->out,
                      strcmp(b->name, "pico") == 0 ? "" : " BOARD=host");
     return status;
+}
+
+/* Is a folder in one that a project gets a copy of? */
+static int is_copied(const char *sources, const char *folder)
+{
+    static const char *const parts[] = { "firmware", "hal", "sim", "tests" };
+    char *const at = realpath(folder, NULL);
+    char part[PATH_MAX];
+    int inside = 0;
+    for (size_t i = 0; at != NULL && i < sizeof parts / sizeof parts[0]; i++) {
+        (void)snprintf(part, sizeof part, "%s/%s", sources, parts[i]);
+        char *const real = realpath(part, NULL);
+        const size_t n = real != NULL ? strlen(real) : 0;
+        inside |= n > 0 && strncmp(at, real, n) == 0 && at[n] == '/';
+        free(real);
+    }
+    free(at);
+    return inside;
 }
 
 int sim_new(int argc, char **argv)
@@ -343,9 +364,12 @@ int sim_new(int argc, char **argv)
         status = errno == EEXIST ? sim_refuse(rq.out, 0, "is there already; name another folder, or remove it")
                                  : sim_refuse(rq.out, 0, "cannot be made a folder: %s", strerror(errno));
     else if (status == SIM_OK) {
-        status = make_project(&rq, sources, name);
+        sim_output_unfinished(rq.out);
+        status = is_copied(sources, rq.out) ? sim_refuse(rq.out, 0, "is among zstrip's sources; name a folder elsewhere")
+                                            : make_project(&rq, sources, name);
         if (status != SIM_OK)
             sim_tree_remove(rq.out);
+        sim_output_unfinished(NULL);
     }
     free(sources);
     free(rq.convert);

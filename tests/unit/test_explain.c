@@ -14,6 +14,7 @@
 #include "zs_blend.h"
 #include "zs_damage.h"
 #include "zs_dither.h"
+#include "zs_environment.h"
 #include "zs_explain.h"
 #include "zs_fast.h"
 #include "zs_fog.h"
@@ -1271,10 +1272,44 @@ MAKE(near_reads_only, const struct zs_instance near_one = w->instance[0]; w->ins
      w->instance[0] = near_one; w->instance[0].depth_state = &no_keys)
 MAKE(far_reads_only, near_first(w); w->instance[0].pose.pos[2] = -9000; w->instance[0].depth_state = &no_keys)
 
+static void orthographic_far(struct world *w)
+{
+    w->camera.z_far = w->camera.z_near;
+}
+
+static void windows_under_hiz(struct world *w)
+{
+    w->red.shader = &zs_shade_window;
+    w->config.method = &zs_method_hiz;
+}
+
+static void no_lines_macro(struct world *w)
+{
+    w->lines.primitive.ops = NULL;
+}
+
+/* In view, and so far away that a sub-pixel is too fine. */
+static void far_and_low(struct world *w)
+{
+    w->camera.height = 65536 * 4;
+    w->camera.z_far = (int64_t)ZS_WORLD_MAX * 65536;
+    memset(w->camera.rot, 0, sizeof w->camera.rot);
+    memset(w->camera.pos, 0, sizeof w->camera.pos);
+    w->instance[0].pose.pos[2] = -15000000;
+}
+
 #define HOLE "its back is seen, which is not drawn: it has a hole"
 #define ROWS_ARE(n) I0 ": the rows of its texture look " n " texels long, and log2_w is "
 #define COLORS I0 ": its shader does not read the colours of its mesh"
 static const struct mistake sizes[] = {
+    { "near and far, orthographic", with_orthographic, orthographic_far, ZS_ERR_CAMERA,
+      "the camera is refused: near = 1000 and far = 1000; near < far is needed: look at what zs_camera_orthographic" },
+    { "windows under hiz", NULL, windows_under_hiz, ZS_ERR_DEPTH,
+      I0 " is refused: its shader does not go with config.method, or with config.depth" },
+    { "ZS_LINES", with_lines, no_lines_macro, ZS_ERR_NULL,
+      I0 " is refused: material.primitive has no ops: ZS_LINES or ZS_POINTS sets it.\n" },
+    { "far and low", with_orthographic, far_and_low, ZS_ERR_RANGE,
+      I0 " is refused: the camera's height is 4, too small for it" },
     { "3 of 12 triangles", NULL, tris_3, 0, I0 ": 1 of 8 vertices are in no triangle: is mesh.n_tris right? It is 3." },
     { "half of a sheet", world_sheet, tris_of_half_a_sheet, 0, I0 ": 36 of 81 vertices are in no triangle" },
     { "6 of 12 triangles", NULL, tris_6, 0, I0 ": on * pixels " HOLE " (is mesh.n_tris right?)" },

@@ -72,7 +72,7 @@ static int bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct
                                          rotations below 2^-20; zs_cull_walk adds the error of
                                          rounding to camera units */
     const struct zs_primitive *const primitive = in->material->primitive;
-    return primitive ? primitive->ops->widen(r, in, b) : ZS_OK;
+    return primitive ? primitive->ops ? primitive->ops->widen(r, in, b) : ZS_ERR_NULL : ZS_OK;
 }
 
 int zs_cull_bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct zs_instance *in)

@@ -172,8 +172,7 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
         material->cull > ZS_CULL_NONE)
         return ZS_ERR_MESH;
     const struct zs_shader *shader = material->shader;
-    if (!shader->run || (shader->by_fragment && !shader->fragment) ||
-        (material->primitive && !material->primitive->ops))
+    if (!shader->run || (shader->by_fragment && !shader->fragment))
         return ZS_ERR_NULL;
     if (shader->n_varyings > r->config.varyings || (shader->vertex && !shader->n_varyings))
         return ZS_ERR_VARYINGS;

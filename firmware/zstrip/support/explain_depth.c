@@ -57,8 +57,11 @@ static void say_keys(struct zs_explainer *e)
         if (keys >= KEYS_FEW)
             continue;
         ZS_SAY(e,
-               "instance % has % depth keys from front to back, so its surfaces flicker: raise "
-               "near = $, lower far = $, or take zs_depth_float and depth_bits 16.",
+               view->perspective
+                   ? "instance % has % depth keys from front to back, so its surfaces flicker: "
+                     "raise near = $, lower far = $, or take zs_depth_float and depth_bits 16."
+                   : "instance % has % depth keys from front to back, so its surfaces flicker: "
+                     "raise near = $, lower far = $, or take depth_bits 16.",
                i, keys, e->r->camera.z_near, e->r->camera.z_far);
         return;
     }
@@ -162,8 +165,8 @@ static void say_order(struct zs_explainer *e)
                        ? "instance % is behind instance %, whose depth_state is read_only, and "
                          "drawn over it: list it before."
                        : "instance % is behind instance % and drawn over it: without depth "
-                         "memory, list far ones first, or take ZS_RENDERER and "
-                         "zs_depth_float.",
+                         "memory, list far ones first, or take ZS_RENDERER and a depth "
+                         "mapping.",
                    k, i);
             return;
         }

@@ -323,7 +323,7 @@ void zs_explain_shape(struct zs_explainer *e, uint32_t i, struct zs_seen *room)
         covers_itself(in->mesh, cull == ZS_CULL_NONE))
         ZS_SAY(e,
                "instance % is not convex, and there is no depth memory: triangles cover nearer "
-               "ones that are listed before them; take ZS_RENDERER and zs_depth_float.",
+               "ones that are listed before them; take ZS_RENDERER and a depth mapping.",
                i);
     if (in->depth_state && in->depth_state->func == ZS_DEPTH_ALWAYS && alone(e, i) &&
         covers_itself(in->mesh, cull == ZS_CULL_NONE))

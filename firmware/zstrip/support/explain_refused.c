@@ -37,8 +37,10 @@ static void say_camera(struct zs_explainer *e, int err)
         ZS_SAY(e, "projection is %.", c->projection);
     else if (c->z_near >= c->z_far || (perspective && c->z_near <= 0))
         ZS_SAY(e,
-               "near = $ and far = $; 0 < near < far is needed in perspective: look at what "
-               "zs_camera_perspective returned.",
+               perspective ? "near = $ and far = $; 0 < near < far is needed: look at what "
+                             "zs_camera_perspective returned."
+                           : "near = $ and far = $; near < far is needed: look at what "
+                             "zs_camera_orthographic returned.",
                c->z_near, c->z_far);
     else if (perspective && (c->focal < ZS_FOCAL_MIN || c->focal > ZS_FOCAL_MAX))
         ZS_SAY(e, "its focal length is % px: zs_camera_perspective sets it from an angle.",
@@ -89,12 +91,27 @@ static int say_null(struct zs_explainer *e, const struct zs_instance *in)
                               : m->shader->by_fragment && !m->shader->fragment
                                   ? "its shader's fragment stage is NULL."
                               : !m->shader->run ? "its shader has no ZS_FRAGMENTS (zs_shader.h)."
+                              : m->primitive && !m->primitive->ops
+                                  ? "material.primitive has no ops: ZS_LINES or ZS_POINTS sets it."
                               : !in->mesh->pos && in->mesh->n_verts ? "mesh.pos is NULL."
                               : !in->mesh->tri && in->mesh->n_tris  ? "mesh.tri is NULL."
                                                                     : 0;
     if (field)
         ZS_SAY(e, field);
     return field != 0;
+}
+
+/* Return 1 if an orthographic camera's height is too little for an instance of that size, or as far
+ * away as it is: a sub-pixel is below 2^-28 of it. */
+static int too_low(const struct zs_explainer *e, const struct zs_instance *in, uint64_t scale)
+{
+    const struct zs_camera *const c = &e->r->camera;
+    int64_t reach = (int64_t)((in->mesh->radius + 1u) * (scale >> 16) >> 16);
+    for (int k = 0; k < 3; k++) {
+        const int64_t away = zs_size64((int64_t)in->pose.pos[k] - c->pos[k]);
+        reach = reach < away ? away : reach;
+    }
+    return c->height < reach * e->r->config.height >> 4;
 }
 
 static void say_range(struct zs_explainer *e, const struct zs_instance *in)
@@ -112,8 +129,7 @@ static void say_range(struct zs_explainer *e, const struct zs_instance *in)
                "it is too large: % steps, of $ world units each; steps of 32767 units are the "
                "most, and a radius of % units; 1 is ZS_Q16_ONE in mesh.scale and pose.scale.",
                in->mesh->radius, (int64_t)(scale >> 16), ZS_WORLD_MAX);
-    else if (e->r->camera.projection == ZS_ORTHOGRAPHIC &&
-             e->r->camera.height >> 6 < (int64_t)((in->mesh->radius + 1u) * (scale >> 16) >> 16))
+    else if (e->r->camera.projection == ZS_ORTHOGRAPHIC && too_low(e, in, scale))
         ZS_SAY(e, "the camera's height is $, too small for it: was % * 65536 meant?",
                e->r->camera.height, e->r->camera.height);
     else if (in->material->primitive)
@@ -175,6 +191,9 @@ static void say_instance(struct zs_explainer *e, uint32_t i, int err)
                "its texture's log2_w is %, log2_h %, clamp %; the first two are logarithms, 0 "
                "to 10.",
                texture->log2_w, texture->log2_h, texture->clamp);
+    else if (err == ZS_ERR_DEPTH)
+        ZS_SAY(e, "its shader does not go with config.method, or with config.depth: the header of "
+                  "either says which do.");
     else
         say_error(e, err);
 }
