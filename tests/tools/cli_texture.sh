@@ -545,7 +545,7 @@ done
 quad_obj gone 'map_Kd gone.png'
 refused missing_picture "'gone.png' is missing" gone.obj --shade textured
 refused no_textures 'no face of it has a texture' bare.obj --shade textured
-refused no_textures_ply 'no face of it has a texture' quad.obj --shade unlit
+refused no_textures_ply 'no texture coordinates; unwrap it' quad.obj --shade unlit
 obj lost 'mtllib lost.mtl' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'vt 0 0' 'vt 1 0' 'vt 0 1' 'usemtl A' 'f 1/1 2/2 3/3'
 refused missing_mtl 'lost.mtl' lost.obj --shade unlit
 refused no_coordinates 'no texture coordinates' quad.obj --shade textured --texture four.png

@@ -684,7 +684,7 @@ refused texture_size_huge 1 'a power of two' 4.png --name m --out none --texture
 ./make png 4 1 8 thin.png
 refused pal4_of_one_column 1 'take pal8' thin.png --name m --out none --texture-format pal4
 refused texture_that_is_not_shown 1 '--texture needs' skinned.obj --texture 4.png --shade flat --name m --out none
-refused textured_without_texture 1 'name a picture by --texture' teapot.obj --shade textured --name m --out none
+refused textured_without_texture 1 'unwrap it in a modeller' teapot.obj --shade textured --name m --out none
 ./make torus 8 4 1 gone.mtl >lost.obj
 refused textured_without_material_file 1 'gone.mtl cannot be read' lost.obj --shade unlit --name m --out none
 refused unit_0 1 'outside its range' tetra.obj --name m --out none --unit 0
@@ -721,6 +721,61 @@ convert far far.obj
 compile far probe
 run far/probe check
 
+begin material_files_of_one_line
+mkdir -p named
+printf 'newmtl a\nKd 1 0 0\n' >named/one.mtl
+printf 'newmtl b\nKd 0 1 0\nd 0.5\nmap_Kd gone.png\n' >named/two.mtl
+tri='v 0 0 0\nv 1 0 0\nv 0 1 0\n'
+printf "mtllib one.mtl two.mtl\\n${tri}usemtl a\\nf 1 2 3\\nusemtl c\\nf 1 3 2\\n" >named/several.obj
+said_of named/several.obj 'material that no material file has (1, "c")'
+holds said/m.c '{255,0,0},{204,204,204}'
+printf "mtllib one.mtl none.mtl\\n${tri}usemtl a\\nf 1 2 3\\n" >named/one_is_gone.obj
+z render named/one_is_gone.obj --out o.png
+holds stderr 'material file named/none.mtl cannot be read'
+begin a_texture_without_coordinates_is_named
+printf "mtllib two.mtl\\n${tri}usemtl b\\nf 1 2 3\\n" >named/bare.obj
+said_of named/bare.obj 'texture of faces without texture coordinates (1, of material "b")'
+begin carriage_returns_alone
+z render named/bare.obj --out want.png
+tr '\n' '\r' <named/two.mtl >named/cr.mtl
+sed 's/two/cr/' named/bare.obj | tr '\n' '\r' >named/cr.obj
+z render named/cr.obj --out got.png
+is "status" $status 0
+cmp -s want.png got.png || wrong 'a picture of its own'
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n' >named/tri.ply
+printf 'element face 1\nproperty list uchar int vertex_indices\nend_header\n' >>named/tri.ply
+printf '0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >>named/tri.ply
+tr '\n' '\r' <named/tri.ply >named/cr.ply
+z render named/tri.ply --out want.png
+z render named/cr.ply --out got.png
+is "status of a PLY" $status 0
+cmp -s want.png got.png || wrong 'a PLY with a picture of its own'
+begin extensions_that_a_gltf_requires
+sed '0,/{/s//{ "extensionsUsed": ["FOO_bar"], "extensionsRequired": ["KHR_texture_transform", "FOO_bar"],/' \
+    gltf/balls.gltf >gltf/required.gltf
+said_of gltf/required.gltf 'glTF extension that the file requires (1, "FOO_bar")'
+begin names_of_gltf_are_uris
+bin=$(grep -o '"[^"]*\.bin"' gltf/balls.gltf | head -1 | tr -d '"')
+[ -n "$bin" ] || wrong 'no buffer beside it'
+cp "gltf/$bin" 'gltf/a buffer.bin'
+sed "s|$bin|a%20buffer.bin|" gltf/balls.gltf >gltf/escaped.gltf
+z render gltf/balls.gltf --out want.png
+z render gltf/escaped.gltf --out got.png
+is "status" $status 0
+cmp -s want.png got.png || wrong 'a picture of its own'
+begin one_file_for_two_outputs
+rm -rf twice && mkdir twice
+z render named/bare.obj --out twice/new.png --stats "../${PWD##*/}/twice/./new.png"
+is "status of render" $status 1
+holds stderr 'is named for two outputs'
+z convert named/bare.obj --name m --out twice --map "../${PWD##*/}/twice/m.c"
+is "status of convert" $status 1
+holds stderr 'is named for two outputs'
+is 'what is left' "$(ls twice)" ''
+begin no_triangle_would_be_left
+boxes 1 1 0 >named/box.obj
+z convert named/box.obj --name m --out said --simplify 1
+holds stdout 'not simplified: no triangle would be left'
 begin help_lists_every_option
 z convert --help
 is status $status 0

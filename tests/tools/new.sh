@@ -42,6 +42,27 @@ refuses missing_model 1 'nothing.obj' nothing.obj --out made
 refuses a_name_for_the_model 2 '--name is not taken' box.obj --name thing --out made
 refuses options_of_convert_that_are_wrong 1 '--texture-size' box.obj --out made --texture-size 3x3
 refuses a_name_that_make_would_not_take 1 "the folder's name becomes" box.obj --out 'my model'
+"$zsim" render box.obj --out box.png
+refuses a_picture 1 'is a picture; zsim new takes a model' box.png --out made
+begin new_refuses_to_copy_into_what_it_copies
+z new box.obj --out "$top/firmware/zstrip/made"
+[ "$status" = 1 ] && grep -q "is among zstrip's sources" stderr || wrong "exit $status: $(said)"
+[ ! -e "$top/firmware/zstrip/made" ] || wrong 'a folder was left'
+begin new_stopped_leaves_nothing
+tries=0
+while [ $tries -lt 20 ]; do
+    tries=$((tries + 1))
+    "$zsim" new box.obj --out stopped >stdout 2>stderr &
+    pid=$!
+    while [ ! -e stopped ] && kill -0 $pid 2>/dev/null; do sleep 0.01; done
+    kill -TERM $pid 2>/dev/null
+    wait $pid
+    status=$?
+    [ $status = 0 ] || break # it was done before
+    rm -rf stopped
+done
+[ $status = 143 ] || wrong "exit $status"
+[ ! -e stopped ] || wrong "left: $(find stopped | wc -l) files"
 begin new_refuses_a_folder_that_is_there
 mkdir there && echo mine >there/main.c
 z new box.obj --out there
