@@ -68,10 +68,10 @@ const char *sim_gltf_words(const char *file, const char *heard)
     static const struct {
         const char *heard, *words;
     } known[] = {
-        { "No suitable reader", "its JSON does not end or is broken, or it is no glTF 2.0; get the whole file, or export "
-                                "it as glTF 2.0" },
-        { "missing the \"uri\" attribute", "a buffer has no data; where it is compressed (EXT_meshopt_compression), export "
-                                         "it uncompressed" },
+        { "No suitable reader",
+          "its JSON does not end or is broken, or it is no glTF 2.0; get the whole file, or export it as glTF 2.0" },
+        { "missing the \"uri\" attribute",
+          "a buffer has no data; where it is compressed (EXT_meshopt_compression), export it uncompressed" },
         { "GLTF: No scene", "no scene in it; export the model again" },
         { "recursive reference", "its nodes hold each other in a ring; export the model again" },
         { "GLTF: Accessor with", "an accessor goes beyond its buffer; get the whole file" },

@@ -365,8 +365,9 @@ int sim_new(int argc, char **argv)
                                  : sim_refuse(rq.out, 0, "cannot be made a folder: %s", strerror(errno));
     else if (status == SIM_OK) {
         sim_output_unfinished(rq.out);
-        status = is_copied(sources, rq.out) ? sim_refuse(rq.out, 0, "is among zstrip's sources; name a folder elsewhere")
-                                            : make_project(&rq, sources, name);
+        status = is_copied(sources, rq.out)
+                     ? sim_refuse(rq.out, 0, "is among zstrip's sources; name a folder elsewhere")
+                     : make_project(&rq, sources, name);
         if (status != SIM_OK)
             sim_tree_remove(rq.out);
         sim_output_unfinished(NULL);
