@@ -240,7 +240,7 @@ mutations() { # FILE COUNT: each is drawn, or refused with a sentence
             after=${line#zsim: mutant}
             case $status$line--${after#*:} in
             1*) ;;
-            *'zsim: mutant'*'-- not carried over: '*) continue ;;
+            *'zsim: mutant'*'-- not carried over: '* | *'zsim: mutant'*'-- material file '*) continue ;;
             esac
             case $line in 'zsim: '*) ours=$((ours + 1)) ;; esac
             lines=$((lines + 1))

@@ -252,7 +252,7 @@ const ending = (stderr) => stderr.trim()
                                .split('\n')
                                .at(-1)
                                .replace(/^zsim: /, '')
-                               .replace(/; see zsim --help$/, '')
+                               .replace(/; see zsim render --help$/, '')
                                .replace(/^.*ring\.obj: /, '');
 test('web_engine_refusals', (is) => {
     const {text, model} = ring(12, 8, {});

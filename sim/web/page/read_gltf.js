@@ -289,7 +289,8 @@ export function readGltf(name, bytes, other = () => null) {
     try {
         parsed = JSON.parse(json);
     } catch (e) {
-        throw new BadModel(name, 0, 'its JSON does not end or is broken; get the whole file');
+        const why = 'its JSON does not end or is broken, or it is no glTF 2.0';
+        throw new BadModel(name, 0, `${why}; get the whole file, or export it as glTF 2.0`);
     }
     if (!parsed || typeof parsed !== 'object') throw new BadModel(name, 0, 'no scene in it; export the model again');
     const gltf = new Gltf(name, parsed, bin, other);
