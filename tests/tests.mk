@@ -1,7 +1,8 @@
 # Tests of the tree and of what it builds
 #
 # The test programs: every test_*.c, with tests/lib, the core, the scenes, the panels and their models, under ASan and
-# UBSan and with the kernels' preconditions checked. zsim is built like that too.
+# UBSan and with the kernels' preconditions checked. zsim is built like that too, for models that are hostile
+# (tests/tools/loading.sh), for test_linux, and for make sanitize.
 # What UBSan finds is an illegal instruction, which AddressSanitizer reports with its line (handle_sigill, tally.sh):
 # without UBSan's own texts objects are a quarter cheaper to compile, zsim is half as large and starts in two thirds of
 # the time. As no pie: of AddressSanitizer's tables of globals relocations are left otherwise to each start.
@@ -30,7 +31,7 @@ UNITS_T = $(strip $(if $(T),$(foreach u,$(UNITS),$(if $(findstring $(T),$(u)),$(
 
 unit-programs: $(UNITS:%=$(B)/test/%)
 	@:
-test-programs: unit-programs $(B)/test/zsim $(B)/test/zlab checksum-programs mutate-link clang-objects $(B)/libcore.a
+test-programs: unit-programs $(B)/test/zsim checksum-programs mutate-link clang-objects $(B)/libcore.a
 .PHONY: unit-programs
 
 .SECONDARY: $(call t,$(TESTS))

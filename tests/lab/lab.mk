@@ -10,6 +10,11 @@ fuzz: $(B)/.setup-fuzz
 	+@$(MAKE_ALL) fuzz-programs lib-fuzz-programs
 	@sh tests/lab/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
+## sanitize: the parts of make test that run zsim or zlab, with these under AddressSanitizer and UBSan; ten minutes
+sanitize: $(B)/.setup-test
+	+@$(MAKE_ALL) $(B)/zsim $(B)/test/zsim $(B)/test/zlab $(B)/test/libtest.a $(B)/libcore.a
+	@SANITIZE=1 sh tests/run.sh $(B)
+
 ## stress: random triangles against whole numbers, random frames against the plainest way, for SECONDS=600 more
 stress: $(B)/.setup-test $(B)/gen/meshes.h
 	+@$(MAKE_ALL) stress-programs $(if $(filter fast,$(BUILD)),$(B)/stress/fast)
@@ -144,7 +149,7 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: effects-error
-.PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record strangers \
+.PHONY: lab records-age fuzz sanitize stress stress-record prove coverage complexity mutate bench bench-record strangers \
         accelerators accelerators-record \
         stopwatch scale costs costs-record still cull methods methods-record methods-worlds methods-worlds-record \
         methods-lines methods-lines-record \

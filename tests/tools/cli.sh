@@ -1,6 +1,6 @@
 #!/bin/sh
 # The simulator's contract, sentence by sentence, from outside: options, files, refusals.
-# Usage: tests/tools/cli.sh ZSIM WORKDIR     from the repository's top; ZSIM built with ASan and UBSan
+# Usage: tests/tools/cli.sh ZSIM WORKDIR     from the repository's top
 #
 # Most models are drawn by the camera `plain`: 240x240, one unit to a pixel, (x, y, z) at pixel
 # (120 + x, 120 - y), a quarter of the depth range away where z = 0.

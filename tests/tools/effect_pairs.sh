@@ -1,7 +1,7 @@
 #!/bin/sh
 # Every two options of effects of zsim render together, on a model in flat, smooth and textured shading: which are
 # drawn, which are refused and with what sentence. Where two are drawn, each of them is seen in the picture.
-# Usage: tests/tools/effect_pairs.sh ZSIM WORKDIR     from the repository's top; ZSIM built with ASan and UBSan
+# Usage: tests/tools/effect_pairs.sh ZSIM WORKDIR     from the repository's top
 #
 # SPDX-License-Identifier: MIT
 . tests/tools/zsim.sh

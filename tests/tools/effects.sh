@@ -1,6 +1,6 @@
 #!/bin/sh
 # Options of effects of zsim render: what a picture shows, pixel by pixel, and what is refused.
-# Usage: tests/tools/effects.sh ZSIM WORKDIR     from the repository's top; ZSIM built with ASan and UBSan
+# Usage: tests/tools/effects.sh ZSIM WORKDIR     from the repository's top
 #
 # Most models are drawn by the camera `plain`: 240x240, one unit to a pixel, (x, y, z) at pixel (120 + x, 120 - y), 120
 # units away where z = 0.

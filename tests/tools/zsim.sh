@@ -1,4 +1,4 @@
-# What tests of zsim from outside share: $1 is zsim, built with ASan and UBSan, $2 a folder to work in,
+# What tests of zsim from outside share: $1 is zsim, $2 a folder to work in,
 # which is emptied and entered. Sourced from the repository's top.
 #
 # `ok NAME`, `FAILED NAME: reason` or `SKIPPED NAME: reason` a test. A reason holds the command that failed; the models
