@@ -590,6 +590,7 @@ draw flat gone.obj $plain --shade smooth
 # ---- Scenes as the reference sees them, from inside ----------------------------------------------------------
 finish
 built=$(dirname "$zsim")
+built=${built%/test}/test
 if gcc -O1 -g -fsanitize=address,undefined -no-pie -Wall -Wextra -Werror -I"$top/sim/cli" -I"$top/sim/frame" \
     -I"$top/sim/compare" -I"$top/sim/reference" -I"$top/firmware/zstrip" "$top/tests/tools/texel_reference.c" \
     "$built/sim/compare/scene_reference.o" "$built/sim/frame/frame.o" "$built/sim/frame/frame_ids.o" \
