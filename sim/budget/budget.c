@@ -297,11 +297,11 @@ static void print_parts(const struct budget_request *rq, const struct budget *b)
             printf(" %9.0f %9.0f %8s %8.1f %8s %8s%s\n", p->ram - t.ram, p->flash - t.flash, "-", wire, "-", "-", too);
         else
             printf(" %9.0f %9.0f %8.1f %8.1f %8.1f %8.1f%s\n", p->ram - t.ram, p->flash - t.flash, t.draw_ms, wire,
-                   t.fps_single, 1e3 / fmax(t.draw_ms, wire), too);
+                   t.fps_single, t.fps_double, too);
     }
     printf("Cycles: the RP2040's as the emulator counts them, which M0 takes too; else instructions times\n"
            "%s: M3 and M4 %g, M7 %g, rv32imc %g. Flash without wait states. With two buffers\n"
-           "a frame takes as long as drawing or the wire, whichever is longer.%s\n",
+           "a strip is drawn while the one before is on the wire, which waits for slow strips.%s\n",
            rq->has_cpi ? "--cpi" : "an assumed rate, not measured", budget_cpi(rq, SIM_CORE_M3),
                budget_cpi(rq, SIM_CORE_M7),
            budget_cpi(rq, SIM_CORE_RV32),

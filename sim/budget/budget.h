@@ -134,7 +134,7 @@ double budget_wire_ms(const struct budget_request *rq, const struct budget *b, c
 
 /* A core at a clock, 0: not known, with so long a wire. NAN: not known. */
 struct budget_totals {
-    double ram, flash, draw_ms, frame_ms, fps, fps_single; /* the last with one buffer */
+    double ram, flash, draw_ms, frame_ms, fps, fps_single, fps_double; /* the last two with one buffer and two */
 };
 void budget_totals(struct budget_totals *t, const struct budget_request *rq, const struct budget *b,
                    enum sim_core core, double mhz, double wire);

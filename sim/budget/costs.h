@@ -175,9 +175,13 @@ extern const struct sim_cost_name sim_cost_names[SIM_COST_N];
 enum sim_core { SIM_CORE_M0, SIM_CORE_M3, SIM_CORE_M4, SIM_CORE_M7, SIM_CORE_RV32, SIM_CORE_RP2040, SIM_CORES };
 extern const char *const sim_core_names[SIM_CORES]; /* as tests/records/bench.txt names them; "RP2040" is in cycles */
 
+#define SIM_COUNT_STRIPS 240u
 struct sim_counted {
     double n[SIM_COST_N];  /* how often in the frame */
     double worst[SIM_CORES]; /* instructions (RP2040: cycles) of the slowest strip; 0: strips were not looked at */
+    /* The same of each, or of so many neighbours together; n_strips 0: strips were not looked at */
+    double strip[SIM_CORES][SIM_COUNT_STRIPS];
+    uint32_t n_strips, neighbours;
     double effects[SIM_CORES]; /* what effects take beside that; NAN: one of them was not measured, which is ... */
     const char *unknown;       /* ... this; NULL: none */
     int has_effects;           /* flag: there is something in that */

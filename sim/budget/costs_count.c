@@ -97,14 +97,18 @@ static void count_bounds(const struct zs_strip *strip)
 }
 
 /* What was counted since the strip before. */
-static void weigh_strip(int walked)
+static void weigh_strip(uint32_t strip, int walked)
 {
+    const uint32_t at = strip / sim_now.neighbours;
+    sim_now.walked[at] += (uint16_t)walked;
+    sim_now.strips[at]++;
     for (int c = 0; c < SIM_CORES; c++) {
         double sum = 0.0;
         for (int k = 0; k < SIM_COST_N; k++)
             sum += (sim_now.n[k] - sim_now.before[k]) * sim_cost_of((enum sim_core)c, (enum sim_cost)k);
         if (sim_now.slowest[walked][c] < sum)
             sim_now.slowest[walked][c] = sum;
+        sim_now.strip[c][at] += sum;
     }
     memcpy(sim_now.before, sim_now.n, sizeof sim_now.before);
 }
@@ -112,7 +116,8 @@ static void weigh_strip(int walked)
 static int on_submit(void *ctx, const struct zs_strip *strip)
 {
     (void)ctx;
-    const int walked = strip->y / sim_now.r->config.strip_h >= (int)sim_now.band_end;
+    const uint32_t at = strip->y / sim_now.r->config.strip_h;
+    const int walked = at >= sim_now.band_end;
     sim_now.walks += (uint32_t)walked;
     sim_now.band_end = sim_now.r->band_end;
     count_bounds(strip);
@@ -120,7 +125,7 @@ static int on_submit(void *ctx, const struct zs_strip *strip)
         sim_now.n[SIM_COST_row_clear] += strip->h;
     sim_now.untouched = 0;
     sim_look_count_method();
-    weigh_strip(walked);
+    weigh_strip(at, walked);
     for (uint32_t i = 0; i < strip->n_bytes; i++)
         sim_now.checksum = (sim_now.checksum ^ strip->px[i]) * 16777619u;
     return 0;
@@ -170,10 +175,12 @@ static void count_asked(const struct zs_scene *scene, const struct zs_config *co
         sim_now.n[SIM_COST_tri_asked] += n * sim_now.walks * (1.0 - (double)s->instances_culled / s->instances_in);
 }
 
-/* The slowest strip: what was counted while strips were drawn, each one's share of what is the same in all of them, and
- * in those that begin with a walk, a walk's share of the rest. */
+/* Each strip, and the slowest: what was counted while it was drawn, its share of what is the same in all of them, and in
+ * those that begin with a walk, a walk's share of the rest. */
 static void find_worst(struct sim_counted *out)
 {
+    out->neighbours = sim_now.neighbours;
+    out->n_strips = (out->stats.strips + sim_now.neighbours - 1u) / sim_now.neighbours;
     for (int c = 0; c < SIM_CORES; c++) {
         const enum sim_core core = (enum sim_core)c;
         double all = 0.0;
@@ -183,6 +190,9 @@ static void find_worst(struct sim_counted *out)
                               out->n[SIM_COST_clear_px] * sim_cost_of(core, SIM_COST_clear_px);
         const double walk = sim_now.slowest[1][c] + (all - strips) / sim_now.walks;
         out->worst[c] = strips / out->stats.strips + (walk > sim_now.slowest[0][c] ? walk : sim_now.slowest[0][c]);
+        for (uint32_t i = 0; i < out->n_strips; i++)
+            out->strip[c][i] += strips / out->stats.strips * sim_now.strips[i] +
+                                (all - strips) / sim_now.walks * sim_now.walked[i];
     }
 }
 
@@ -263,6 +273,8 @@ int sim_costs_count_passes(struct sim_counted *out, const struct zs_pass *pass, 
         return ZS_ERR_SIZE;
     memset(&sim_now, 0, sizeof sim_now);
     sim_now.n = out->n;
+    sim_now.strip = out->strip;
+    sim_now.neighbours = 1u + (ZS_STRIPS(config->height, config->strip_h) - 1u) / SIM_COUNT_STRIPS;
     sim_look_depth(config->depth);
     sim_now.checksum = 2166136261u;
     sim_now.instance = UINT32_MAX;

@@ -101,6 +101,9 @@ struct sim_now {
     double before[SIM_COST_N]; /* counts when the strip in hand began */
     double slowest[2][SIM_CORES]; /* what the slowest strip takes of what is counted while it is drawn: of strips that
                                      begin with a walk over the scene, [1], and of the others */
+    double (*strip)[SIM_COUNT_STRIPS]; /* the same of each: sim_counted.strip */
+    uint32_t neighbours;               /* strips of one number there */
+    uint16_t walked[SIM_COUNT_STRIPS], strips[SIM_COUNT_STRIPS]; /* of them: walks that they began with; how many */
     struct zs_method method; /* ours, where the configuration has another than the depth buffer's ... */
     const struct zs_method *method_of; /* ... and what it stands for; NULL: the depth buffer */
     zs_piece_fn *method_span;          /* what on_method_span stands for */
