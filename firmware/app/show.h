@@ -56,7 +56,7 @@
 #define SHOW_BUFFERS 2 /* strips in RAM. 1: nothing is drawn while pixels leave, unless they were converted */
 #endif
 #ifndef SHOW_ROWS_MAX
-#define SHOW_ROWS_MAX SHOW_HEIGHT /* one-bit panels: a multiple of 8 */
+#define SHOW_ROWS_MAX SHOW_HEIGHT /* one-bit panels: a multiple of 8; a scene's own rows are made one */
 #endif
 #ifndef SHOW_TRIS_MAX
 #define SHOW_TRIS_MAX ZS_POOL_MAX
@@ -96,12 +96,13 @@ struct show {
 extern const struct show show;
 
 #define SHOW_LEAST(a, b) ((a) < (b) ? (a) : (b))
+#define SHOW_WHOLE(rows) (SHOW_PIXEL_BITS > 1 ? (rows) : ((rows) + 7) / 8 * 8) /* pages of a one-bit panel */
 #define SHOW_ARENA_BYTES(rows, tris, verts, varyings) \
     (ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, varyings, SHOW_BUFFERS) - \
      (SHOW_NO_KEYS ? ZS_DEPTH_BYTES(SHOW_WIDTH, rows) : 0u))
 #define SHOW_SCRATCH(rows) (SHOW_PIXEL_BITS < 16 ? (SHOW_WIDTH + 7) / 8 * SHOW_PIXEL_BITS * (rows) : 4)
 #define SHOW(scene, rate, rows, tris, verts, varyings) \
-    SHOW_CUT(scene, rate, SHOW_LEAST(rows, SHOW_ROWS_MAX), \
+    SHOW_CUT(scene, rate, SHOW_WHOLE(SHOW_LEAST(rows, SHOW_ROWS_MAX)), \
              SHOW_LEAST(SHOW_RECORDS ? (tris) * 5 / 2 + 64 : (tris), SHOW_TRIS_MAX), \
              SHOW_LEAST(verts, SHOW_VERTS_MAX), varyings)
 #if SHOW_CORES == 2

@@ -85,9 +85,12 @@ int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
     return err;
 }
 
+/* In mode 3 words stay at 8 bits, since there are no gaps to save. SCK rests high there, and falls as SPI0 goes off: to
+ * a module without CS that would be a bit. */
 static void select_panel(uint32_t bits)
 {
-    set_bits(bits);
+    if (SPI_MODE == 0)
+        set_bits(bits);
     SIO_GPIO_OUT_CLR = BIT(PIN_CS);
 }
 
@@ -107,6 +110,7 @@ void spi_wire_release(void)
 static void end(int err)
 {
     TIMER_ARMED = 1; /* disarms alarm 0 */
+    TIMER_INTR = 1;  /* it may have come since; the hook `done` may begin the next transfer */
     if (err)
         spi_start();
     const struct rp2040_divider divider = rp2040_divider_save();
@@ -127,8 +131,9 @@ static void abort_channel(void)
 
 void DMA_0_Handler(void)
 {
+    const uint32_t mine = DMA_INTS0 & CHANNEL_BIT;
     DMA_INTS0 = CHANNEL_BIT;
-    if (!spi_bus_running()) /* the timer ended it while this interrupt was pending */
+    if (!mine || !spi_bus_running()) /* the timer ended it while this interrupt was pending */
         return;
     if (DMA_CTRL(CHANNEL_PANEL) & CHANNEL_ERRORS) { /* 2.5.7: the channel has stopped there */
         DMA_CTRL(CHANNEL_PANEL) = CHANNEL_ERRORS;   /* cleared by writing ones; the channel is off */
@@ -140,8 +145,10 @@ void DMA_0_Handler(void)
 
 void TIMER_0_Handler(void)
 {
+    const uint32_t due = TIMER_INTR & 1u;
     TIMER_INTR = 1;
-    if (!spi_bus_running() || DMA_INTS0 & CHANNEL_BIT) /* ended, or about to be: both came while interrupts were off */
+    /* It was of the transfer before; or this one has ended, or is about to: both came while interrupts were off */
+    if (!due || !spi_bus_running() || DMA_INTS0 & CHANNEL_BIT)
         return;
     abort_channel();
     end(HAL_ERR_TIMEOUT);
@@ -158,7 +165,7 @@ static uint32_t deadline_us(uint32_t n)
 int spi_wire_begin(const uint8_t *bytes, uint32_t n)
 {
     /* words of 16 bits travel with the fewest gaps; their bytes are swapped, as SPI sends the high one first */
-    const int words = !((n | (uintptr_t)bytes) & 1u);
+    const int words = SPI_MODE == 0 && !((n | (uintptr_t)bytes) & 1u);
     select_panel(words ? 16 : 8);
     DMA_READ_ADDR(CHANNEL_PANEL) = (uint32_t)(uintptr_t)bytes;
     DMA_WRITE_ADDR(CHANNEL_PANEL) = (uint32_t)(uintptr_t)&SPI0_DR;

@@ -179,9 +179,10 @@ void DMA2_Stream3_Handler(void)
 
 void TIM5_Handler(void)
 {
-    const uint32_t flags = DMA_LISR;
+    const uint32_t flags = DMA_LISR, due = TIM5_SR & TIM_UPDATE;
     TIM5_SR = 0;
-    if (!spi_bus_running() || flags & DMA_S3_ERROR || (flags & DMA_S3_COMPLETE && !left)) /* ended, or about to be */
+    if (!due || /* it was of the transfer before, after which the hook `done` began this one */
+        !spi_bus_running() || flags & DMA_S3_ERROR || (flags & DMA_S3_COMPLETE && !left)) /* ended, or about to be */
         return;
     end(HAL_ERR_TIMEOUT);
 }

@@ -223,7 +223,7 @@ tests_of() { # NAME FILE N [PREFIX]
 
 parts() {
     emulated 1 "$out/parts.txt" parts.mjs "$fw/parts" || { build_parts; return; }
-    tests_of pico_parts "$out/parts.txt" 8
+    tests_of pico_parts "$out/parts.txt" 9
     wire='c2c | c36 81 00 fe | 11 22 33 44 55 66 | 11 22 33 44 55 | 22 33 44 55 | 11 |'
     [ "$(field "$out/parts.txt" wire)" = "$wire" ] || bad pico_wire "$(field "$out/parts.txt" wire)"
     verdict pico_parts_without_problems "$(field "$out/parts.txt" problem)"
