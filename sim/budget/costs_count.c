@@ -175,8 +175,8 @@ static void count_asked(const struct zs_scene *scene, const struct zs_config *co
         sim_now.n[SIM_COST_tri_asked] += n * sim_now.walks * (1.0 - (double)s->instances_culled / s->instances_in);
 }
 
-/* Each strip, and the slowest: what was counted while it was drawn, its share of what is the same in all of them, and in
- * those that begin with a walk, a walk's share of the rest. */
+/* Each strip, and the slowest: what was counted while it was drawn, its share of what is the same in all of them, and
+ * in those that begin with a walk, a walk's share of the rest. */
 static void find_worst(struct sim_counted *out)
 {
     out->neighbours = sim_now.neighbours;

@@ -149,8 +149,8 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: effects-error
-.PHONY: lab records-age fuzz sanitize stress stress-record prove coverage complexity mutate bench bench-record strangers \
-        accelerators accelerators-record \
+.PHONY: lab records-age fuzz sanitize stress stress-record prove coverage complexity mutate bench bench-record \
+        strangers accelerators accelerators-record \
         stopwatch scale costs costs-record still cull methods methods-record methods-worlds methods-worlds-record \
         methods-lines methods-lines-record \
         effects effects-record looks gallery depth hiz accuracy fuzz-programs lib-fuzz-programs stress-programs
