@@ -175,7 +175,8 @@ int view_desk_scale(const struct sim_picture *picture, int w, int h)
 
 void view_desk_draw(const struct view_desk *d, struct view_canvas *c, uint32_t *to, int w, int h, int pitch)
 {
-    const int left = w - VIEW_SIDE_W, top = h - VIEW_BAR_H, scale = view_desk_scale(&d->shot->seen.shown, w, h);
+    const int left = w > VIEW_SIDE_W ? w - VIEW_SIDE_W : 0, top = h > VIEW_BAR_H ? h - VIEW_BAR_H : 0; /* of any size */
+    const int scale = view_desk_scale(&d->shot->seen.shown, w, h);
     const struct sim_picture *p = &d->shot->seen.shown;
     const int part_w = (int)p->width * scale > left ? left / scale : (int)p->width; /* of one that is too large */
     const int part_h = (int)p->height * scale > top ? top / scale : (int)p->height;

@@ -17,6 +17,7 @@
 #if VIEW_SDL
 #include <dlfcn.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <SDL2/SDL.h>
 
@@ -25,6 +26,7 @@
 #define FUNCTIONS(F)                                                                                                 \
     F(SDL_Init)                                                                                                      \
     F(SDL_Quit)                                                                                                      \
+    F(SDL_GetCurrentVideoDriver)                                                                                     \
     F(SDL_GetError)                                                                                                  \
     F(SDL_SetHint)                                                                                                   \
     F(SDL_GetDisplayUsableBounds)                                                                                    \
@@ -79,6 +81,10 @@ static int load(void)
     if (sdl.SDL_Init(SDL_INIT_VIDEO) != 0)
         return sim_refuse(NULL, 0, "no window can be opened: %s; is there a desktop (DISPLAY or WAYLAND_DISPLAY)?",
                           sdl.SDL_GetError());
+    const char *driver = sdl.SDL_GetCurrentVideoDriver(); /* where no server answers, SDL 2.26 takes "offscreen" */
+    if (getenv("SDL_VIDEODRIVER") == NULL &&
+        (driver == NULL || strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0))
+        return sim_refuse(NULL, 0, "no window can be opened: no desktop answers (DISPLAY or WAYLAND_DISPLAY)");
     return SIM_OK;
 }
 
@@ -111,6 +117,10 @@ int view_window_open(struct view_window **out, const char *title, int w, int h, 
     if (window->window == NULL) {
         free(window);
         return sim_refuse(NULL, 0, "no window can be opened: %s", sdl.SDL_GetError());
+    }
+    if (view_window_pixels(window, &most_w, &most_h, &(int){ 0 }) == NULL) {
+        view_window_close(window);
+        return sim_refuse(NULL, 0, "no window can be opened: it takes a desktop of 24 or 32 bits a pixel");
     }
     sdl.SDL_SetWindowMinimumSize(window->window, least_w, least_h);
     *out = window;

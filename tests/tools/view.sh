@@ -334,6 +334,17 @@ open_ box.obj $small
 ./desktop close "$window" || wrong "the window's button cannot be pressed"
 end
 
+begin windows_of_any_size # a tiling desktop asks nobody
+open_ box.obj $small
+for size in '300 300' '430 774' '800 60' '5 5' '900 800'; do
+    # shellcheck disable=SC2086
+    xdotool windowsize "$window" $size
+    until_ "a window of $size" is_wide "${size% *}"
+    press h h
+done
+press Escape
+end
+
 begin turns
 open_ box.obj $small --background 402010
 z render box.obj $small --background 402010 --out want.png
@@ -396,6 +407,20 @@ press q
 end
 
 begin no_desktop
+Xvfb -displayfd 3 -screen 0 1280x1024x16 -nolisten tcp -noreset 3>number >xvfb16.log 2>&1 &
+pid=$!
+read -r screen <number
+DISPLAY=:$screen last=' zsim view box.obj' # on a desktop of 16 bits a pixel
+timeout 60 "$zsim" view box.obj >stdout 2>stderr </dev/null
+status=$?
+one_line 1 'it takes a desktop of 24 or 32 bits a pixel'
+kill $pid
+pid=
+DISPLAY=:4321
+timeout 60 "$zsim" view box.obj >stdout 2>theirs </dev/null
+status=$?
+grep '^zsim: ' theirs >stderr # Wayland's library may say a line of its own
+one_line 1 'no window can be opened'
 unset DISPLAY
 z view box.obj
 one_line 1 'no window can be opened'
