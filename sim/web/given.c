@@ -248,7 +248,7 @@ static int take_triangles(struct sim_model *model, const struct web_given *g,
             const uint32_t v = g->tri[t][k];
             model->tri[t][k] = sim_weld_point(&weld, model, g->point[v]);
             model->rgb[t][k] = model->material[material].rgb;
-            if (g->rgb != NULL && want->color == NULL)
+            if (g->rgb != NULL && want->color == NULL && !isnan(g->rgb[v][0]))
                 model->rgb[t][k] = to_rgb((const double[3]){
                     (double)g->rgb[v][0], (double)g->rgb[v][1], (double)g->rgb[v][2] });
             if (model->normal != NULL && g->normal != NULL)

@@ -13,3 +13,5 @@ needs=engine.wasm
 rm -rf "$work"
 mkdir -p "$work"
 node tests/web/engine.mjs "$build/web/engine.wasm" "$build/zsim" "$work"
+status=$?
+node tests/web/readers.mjs "$build/web/engine.wasm" "$build/zsim" "$work" && [ $status = 0 ]

@@ -6,6 +6,14 @@ import { readPly } from './read_ply.js';
 import { readGltf } from './read_gltf.js';
 
 const MODEL = /\.(obj|stl|ply|gltf|glb)$/i;
+/* %20 and the like as what they stand for, where that is text. */
+const decoded = (uri) => uri.replace(/(%[\da-f]{2})+/gi, (s) => {
+    try {
+        return decodeURIComponent(s);
+    } catch {
+        return s;
+    }
+});
 const baseName = (path) => path.split(/[\\/]/).pop();
 
 async function decodePicture(bytes) {
@@ -32,7 +40,7 @@ async function loadTextures(model, given) {
         if (typeof texture === 'string')
             bytes = texture.startsWith('data:')
                 ? Uint8Array.from(atob(texture.slice(texture.indexOf(',') + 1)), (c) => c.charCodeAt(0))
-                : given.get(baseName(decodeURIComponent(texture)).toLowerCase()) || null;
+                : [texture, decoded(texture)].map((at) => given.get(baseName(at).toLowerCase())).find((at) => at) || null;
         try {
             if (!bytes) throw new Error('missing');
             textures.push(await decodePicture(bytes));

@@ -149,7 +149,7 @@ class Gltf {
         if (p.attributes.POSITION === undefined) return;
         const points = this.rows(p.attributes.POSITION);
         const normals = p.attributes.NORMAL === undefined ? null : this.rows(p.attributes.NORMAL);
-        const uvs = p.attributes.TEXCOORD_0 === undefined ? null : this.rows(p.attributes.TEXCOORD_0);
+        const uvs = this.uvsOf(p);
         const colors = p.attributes.COLOR_0 === undefined ? null : this.rows(p.attributes.COLOR_0);
         const order = p.indices === undefined ? points.map((_, i) => i) : this.rows(p.indices).map((r) => r[0]);
         const step = mode === 4 ? 3 : 1;
@@ -185,6 +185,18 @@ class Gltf {
             const c = cornersAt(t).map(vertex);
             this.corners.polygon(cof.mirrored ? [c[0], c[2], c[1]] : c, p.material ?? this.plain());
         }
+    }
+
+    /* Of a primitive: those that its texture names, as KHR_texture_transform moves them. */
+    uvsOf(p) {
+        const map = ((this.json.materials || [])[p.material]?.pbrMetallicRoughness || {}).baseColorTexture || {},
+            by = (map.extensions || {}).KHR_texture_transform,
+            from = p.attributes[`TEXCOORD_${by?.texCoord ?? map.texCoord ?? 0}`];
+        if (from === undefined) return null;
+        const { offset: [x, y] = [0, 0], scale: [sx, sy] = [1, 1], rotation = 0 } = by || {},
+            [c, s] = [Math.cos(rotation), Math.sin(rotation)];
+        return this.rows(from).map(([u, v]) =>
+            by ? [x + c * sx * u + s * sy * v, y - s * sx * u + c * sy * v] : [u, v]);
     }
 
     plain() {
@@ -233,7 +245,9 @@ class Gltf {
                 textureFactor: base.slice(0, 3),
             };
             if (pbr.baseColorTexture) Object.assign(made, this.texture(pbr.baseColorTexture.index));
-            if (m.emissiveFactor && m.emissiveFactor.some((c) => c > 0)) made.emission = m.emissiveFactor;
+            if (m.emissiveFactor && !m.emissiveTexture && m.emissiveFactor.some((c) => c > 0))
+                made.emission = m.emissiveFactor;
+            Object.assign(made, shineOf(pbr, base));
             if (m.extensions && m.extensions.KHR_materials_unlit) made.unlit = true;
             return made;
         });
@@ -262,6 +276,18 @@ class Gltf {
             return this.buffers[v.buffer].subarray(v.byteOffset || 0, (v.byteOffset || 0) + v.byteLength);
         });
     }
+}
+
+/* Metallic-roughness as Blinn-Phong: set_roughness of sim/load/material.c. */
+function shineOf({ roughnessFactor: rough = 1, metallicFactor = 1 }, base) {
+    const metal = Math.min(Math.max(Math.fround(metallicFactor), 0), 1),
+        r = Math.fround(rough),
+        power = Math.min(2 / Math.max(r, 0.1) ** 4 - 2, 128),
+        byte = (c) => Math.round(255 * Math.min(Math.max(Math.fround(c), 0), 1)) / 255,
+        rgb = base.slice(0, 3).map((c) => ((0.04 + metal * (byte(c) - 0.04)) * (power + 8)) / 8),
+        most = Math.max(...rgb);
+    if (!(r < 0.95 && most >= 0.1 && power >= 1)) return {};
+    return { specular: rgb.map((c) => c / Math.max(most, 1)), power };
 }
 
 /* How normals go with a placement: its cofactors, with the sign that keeps outside outside. */

@@ -4,32 +4,39 @@
  */
 import { BadModel, Corners } from './read_text.js';
 
+/* What stands before a picture's name in a map_ line. */
+const MAP_OPTIONS =
+    /^(-(s|o|t|mm|bm|texres|boost)(\s+[-+]?[\d.]+(e[-+]?\d+)?)+\s+|-(clamp|blendu|blendv|cc)\s+(on|off)\s+|-imfchan\s+\S\s+)+/i;
+
 /** Materials of an MTL file by name: kd, ke, ks, ns, d, map. */
 export function readMtl(text) {
     const materials = new Map();
     let now = null;
-    for (const raw of text.split(/\r?\n/)) {
+    for (const raw of text.split(/\r\n|\n|\r/)) {
         const word = raw.replace(/#.*/, '').trim().split(/\s+/);
+        const key = word[0].toLowerCase();
         const numbers = word.slice(1).map(Number);
-        if (word[0] === 'newmtl') {
+        if (key === 'newmtl') {
             now = { name: raw.trim().slice(6).trim(), color: [1, 1, 1] };
             materials.set(now.name, now);
         } else if (now === null) {
             continue;
-        } else if (word[0] === 'Kd' && numbers.length >= 3) {
+        } else if (key === 'kd' && numbers.length >= 3) {
             now.color = numbers.slice(0, 3);
-        } else if (word[0] === 'Ke' && numbers.length >= 3) {
+        } else if (key === 'ke' && numbers.length >= 3) {
             now.emission = numbers.slice(0, 3);
-        } else if (word[0] === 'Ks' && numbers.length >= 3) {
+        } else if (key === 'ks' && numbers.length >= 3) {
             now.specular = numbers.slice(0, 3);
-        } else if (word[0] === 'Ns') {
+        } else if (key === 'ns') {
             now.power = numbers[0];
-        } else if (word[0] === 'd' && Number.isFinite(numbers[0])) {
+        } else if (key === 'd' && Number.isFinite(numbers[0])) {
             now.opacity = numbers[0];
-        } else if (word[0] === 'Tr' && Number.isFinite(numbers[0])) {
+        } else if (key === 'tr' && Number.isFinite(numbers[0])) {
             now.opacity = 1 - numbers[0];
-        } else if (word[0] === 'map_Kd') {
-            now.map = raw.trim().split(/\s+/).pop();
+        } else if (key === 'map_kd') {
+            const said = raw.trim().slice(6).trim();
+            now.map = said.replace(MAP_OPTIONS, '');
+            now.moved = /-[so]\s/i.test(said.slice(0, said.length - now.map.length));
         }
     }
     return materials;
@@ -56,6 +63,7 @@ export function readObj(name, text, other = () => null) {
 
     const lines = text
         .replace(/^\ufeff/, '')
+        .replace(/((?:^|[ \t\r\n])#[^\r\n]*?)\\+(?=[ \t]*\r?\n)/g, '$1') // a comment does not go on
         .replace(/\\\r?\n/g, ' \x01 ') // a line goes on
         .split(/\r\n|\n|\r/);
     const fail = (line, why) => {
@@ -87,8 +95,10 @@ export function readObj(name, text, other = () => null) {
         if (!numberOf.has(wanted)) {
             const from = library.get(wanted);
             const made = from ? { ...from } : { name: wanted };
-            if (from && from.map !== undefined && from.color.some((c) => c > 0)) made.textureFactor = from.color;
+            if (from && from.map !== undefined && from.color.some((c) => c > 0))
+                made.textureFactor = from.color.map((c) => Math.min(c, 1));
             if (made.map !== undefined) {
+                if (made.moved) lost.add('-s and -o of map_Kd');
                 made.texture = textures.indexOf(made.map);
                 if (made.texture < 0) made.texture = textures.push(made.map) - 1;
             }
@@ -112,6 +122,20 @@ export function readObj(name, text, other = () => null) {
     let texture = { most: 0, line: 0 },
         goesOn = 0; /* lines that went on so far */
 
+    /* Material files come first, wherever they are named: one name with blanks, or several */
+    for (const raw of lines) {
+        const names = /^\s*mtllib\s+([^#]*)/.exec(raw.replaceAll('\x01', ''))?.[1].trim();
+        if (!names) continue;
+        const files = other(names) === null && names.split(/\s+/).some((one) => other(one) !== null)
+            ? names.split(/\s+/)
+            : [names];
+        for (const file of files) {
+            const got = other(file);
+            if (got === null) losses.push(`material file ${file} was not given: drop it with the model`);
+            else library = new Map([...library, ...readMtl(got)]);
+        }
+    }
+
     for (let at = 0; at < lines.length; at++) {
         const line = at + goesOn;
         goesOn += lines[at].split('\x01').length - 1;
@@ -131,15 +155,9 @@ export function readObj(name, text, other = () => null) {
             if (materials.length === 0) use('');
             faces.push({ corners: word.slice(1).map((w) => cornerOf(w, line)), material, line });
         } else if (word[0] === 'usemtl') {
-            use(body.slice(6).trim());
+            use(lines[at].replaceAll('\x01', '').trim().slice(6).trim());
         } else if (word[0] === 'mtllib') {
-            const file = body.slice(6).trim(),
-                got = other(file);
-            if (got === null) {
-                losses.push(`material file ${file} was not given: drop it with the model`);
-            } else {
-                library = new Map([...library, ...readMtl(got)]);
-            }
+            continue;
         } else if (word[0] === 'l' || word[0] === 'p') {
             lost.add('lines and points');
         } else if (

@@ -38,7 +38,7 @@ export class Corners {
         this.normals.push(at[0], at[1], at[2]);
         const to = uv || [NaN, NaN];
         this.uvs.push(to[0], to[1]);
-        const tint = color || [0.8, 0.8, 0.8];
+        const tint = color || [NaN, NaN, NaN];
         this.colors.push(tint[0], tint[1], tint[2]);
         this.hasNormals ||= !!normal;
         this.hasUvs ||= !!uv;

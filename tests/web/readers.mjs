@@ -1,0 +1,147 @@
+// What the page's readers (sim/web/page/read_*.js) take from a file is what zsim takes: the same pixels.
+// Usage: node tests/web/readers.mjs ENGINE.WASM ZSIM WORKDIR    from the repository's top
+//
+// SPDX-License-Identifier: MIT
+import {spawnSync} from 'node:child_process';
+import {readFileSync, writeFileSync} from 'node:fs';
+
+import {createEngine} from '../../sim/web/engine.js';
+import {readModel} from '../../sim/web/page/models.js';
+
+import {readPng, writePng} from './png.mjs';
+
+const [wasm, zsim, work] = process.argv.slice(2);
+const engine = await createEngine(readFileSync(wasm));
+let failed = 0;
+
+// A browser's pictures
+globalThis.createImageBitmap = async (blob) => readPng(Buffer.from(await blob.arrayBuffer()));
+globalThis.OffscreenCanvas = class {
+    getContext() {
+        let rgb;
+        return {
+            drawImage: (image) => { rgb = image.rgb; },
+            getImageData: () => ({data: Uint8ClampedArray.from({length: rgb.length / 3 * 4},
+                                      (_, i) => (i % 4 === 3 ? 255 : rgb[(i >> 2) * 3 + i % 4]))}),
+        };
+    }
+};
+const picture = Buffer.from(writePng(4, 4, Uint8Array.from({length: 48}, (_, i) => 85 * (i * 7 % 4))));
+
+/** A model of these files, the first of which is the model itself, drawn by both. */
+async function same(name, files) {
+    const given = Object.entries(files).map(([ file, text ]) => {
+        writeFileSync(`${work}/${file}`, text);
+        return {name: file, arrayBuffer: async () => Uint8Array.from(Buffer.from(text)).buffer};
+    });
+    const wrong = [];
+    try {
+        const answer = engine.setModel(await readModel(given));
+        if (answer.error) wrong.push(answer.error);
+        for (const shade of [ undefined, 'flat' ]) {
+            const made = spawnSync(zsim, [ 'render', `${work}/${given[0].name}`, '--background=102040', '--out',
+                `${work}/z.png`, ...(shade ? [ `--shade=${shade}` ] : []) ], {encoding: 'utf8'});
+            const none = Object.fromEntries(engine.options().map((one) => [one.name, undefined]));
+            const taken = engine.configure({...none, background: '102040', shade});
+            if (made.status !== 0 || taken.error) {
+                wrong.push(made.stderr + taken.error);
+                continue;
+            }
+            engine.render();
+            const {width, height} = engine.pictureSize(), ours = new Uint8Array(4 * width * height),
+                  theirs = readPng(readFileSync(`${work}/z.png`)).rgb;
+            engine.rgba(ours);
+            let n = 0, drawn = 0;
+            for (let i = 0; i < width * height; i++) {
+                n += [ 0, 1, 2 ].some((k) => ours[4 * i + k] !== theirs[3 * i + k]);
+                drawn += [ 0, 1, 2 ].some((k) => theirs[3 * i + k] !== theirs[k]);
+            }
+            if (n > 0 || drawn < 1000) wrong.push(`${shade ?? 'as it is'}: ${n} pixels differ, ${drawn} are drawn`);
+        }
+    } catch (error) {
+        wrong.push(String(error.stack).split('\n').slice(0, 3).join(' '));
+    }
+    console.log(wrong.length === 0 ? `ok web_reads_${name}` : `FAILED web_reads_${name}: ${wrong.join('; ')}`);
+    failed |= wrong.length > 0;
+}
+
+// ---- OBJ and MTL
+
+const points = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 -2\nv 2 0 -2\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n';
+const faces = [ 'f 1/1 2/2 3/3 4/4', 'f 5/1 6/2 2/3 1/4', 'f 4 3 6 5' ];
+const red = 'newmtl red\nKd 1 0 0\n', blue = 'newmtl blue\nKd 0 0 1\n';
+await same('a_comment_that_ends_in_a_backslash',
+    {'comment.obj': `# of C:\\models\\\n${points}${faces[0]} # and C:\\\n${faces[1]}\n`});
+await same('a_material_with_a_hash', {
+    'hash.obj': `mtllib hash.mtl\n${points}usemtl Material #25\n${faces.join('\n')}\n`,
+    'hash.mtl': 'newmtl Material #25\nKd 1 0 0\n',
+});
+await same('several_material_files', {
+    'several.obj': `usemtl red\nmtllib several.mtl other.mtl\n${points}${faces[0]}\nusemtl blue\n${faces[1]}\n`,
+    'several.mtl': red,
+    'other.mtl': blue,
+});
+await same('carriage_returns_and_small_letters', {
+    'small.obj': `mtllib small.mtl\n${points}usemtl red\n${faces.join('\n')}\n`,
+    'small.mtl': 'newmtl red\rkd 1 0 0\r',
+});
+{
+    const given = (name, text) => ({name, arrayBuffer: async () => Uint8Array.from(Buffer.from(text)).buffer});
+    const model = await readModel([
+        given('moved.obj', `mtllib moved.mtl\n${points}usemtl t\n${faces[0]}\n`),
+        given('moved.mtl', 'newmtl t\nmap_Kd -o 0.25 0 -s 2 2 -bm 0.5 moved.png\n'), given('moved.png', picture),
+    ]);
+    const right = String(model.losses) === '-s and -o of map_Kd are left out' && model.textures.length === 1;
+    console.log(right ? 'ok web_names_moved_textures' : `FAILED web_names_moved_textures: ${model.losses}`);
+    failed |= !right;
+}
+for (const [ name, file, kd ] of [ [ 'blanks', 'my picture.png', '1 1 1' ], [ 'a_percent_sign', '100%.png', '1 1 1' ],
+         [ 'a_factor_beyond_1', 'plain.png', '2 2 2' ] ])
+    await same(`a_texture_with_${name}`, {
+        [`${name}.obj`]: `mtllib ${name}.mtl\n${points}usemtl t\n${faces.slice(0, 2).join('\n')}\n`,
+        [`${name}.mtl`]: `newmtl t\nKd ${kd}\nmap_Kd -clamp off ${file}\n`,
+        [file]: picture,
+    });
+
+// ---- glTF: a square of two triangles that stands across, as two meshes
+
+const floats = (...v) => Buffer.from(Float32Array.from(v).buffer);
+const square = floats(0, 0, 0, 2, 0, 0, 2, 2, 1, 0, 0, 0, 2, 2, 1, 0, 2, 1),
+      across = floats(0, 0, 0, 0, 0, 2, 0, 2, 2, 0, 0, 0, 0, 2, 2, 0, 2, 0),
+      uv = floats(0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0), uv1 = floats(0, .5, .5, .5, .5, 0, 0, .5, .5, 0, 0, 0),
+      white = floats(...Array.from({length: 18}, (_, i) => (i % 3 === 1 ? 0.5 : 1)));
+function gltf(materials, attributes = {}) {
+    const parts = [ square, uv, uv1, white, across ];
+    const accessors = parts.map((part, i) => ({
+        bufferView: i, componentType: 5126, count: 6, type: i === 1 || i === 2 ? 'VEC2' : 'VEC3',
+        ...(i === 0 ? {min: [ 0, 0, 0 ], max: [ 2, 2, 1 ]} : i === 4 ? {min: [ 0, 0, 0 ], max: [ 0, 2, 2 ]} : {}),
+    }));
+    let at = 0;
+    const views = parts.map((part) => ({buffer: 0, byteOffset: (at += part.length) - part.length,
+                                           byteLength: part.length}));
+    const uri = (type, bytes) => `data:${type};base64,${Buffer.from(bytes).toString('base64')}`;
+    return JSON.stringify({
+        asset: {version: '2.0'}, scene: 0, scenes: [ {nodes: [ 0, 1 ]} ], nodes: [ {mesh: 0}, {mesh: 1} ],
+        meshes: [
+            {primitives: [ {attributes: {POSITION: 0, TEXCOORD_0: 1, TEXCOORD_1: 2, ...attributes}, material: 0} ]},
+            {primitives: [ {attributes: {POSITION: 4}, material: 1} ]},
+        ],
+        materials: [ materials, {doubleSided: true, pbrMetallicRoughness: {baseColorFactor: [ 1, 0, 0, 1 ]}} ],
+        images: [ {uri: uri('image/png', picture)} ], textures: [ {source: 0} ],
+        extensionsUsed: [ 'KHR_texture_transform' ],
+        accessors, bufferViews: views, buffers: [ {uri: uri('application/octet-stream', Buffer.concat(parts)),
+                                                     byteLength: at} ],
+    });
+}
+const texture = {index: 0};
+for (const [ name, material, attributes ] of [
+         [ 'emission_of_a_texture', {emissiveFactor: [ 1, 1, 1 ], emissiveTexture: texture} ],
+         [ 'roughness', {pbrMetallicRoughness: {baseColorFactor: [ .8, .5, .2, 1 ], roughnessFactor: 0.4,
+                            metallicFactor: 0.5}} ],
+         [ 'a_texture_transform', {pbrMetallicRoughness: {baseColorTexture: {...texture, extensions:
+              {KHR_texture_transform: {offset: [ .25, .5 ], scale: [ .5, .75 ], rotation: 0.5}}}}} ],
+         [ 'the_second_coordinates', {pbrMetallicRoughness: {baseColorTexture: {...texture, texCoord: 1}}} ],
+         [ 'colours_of_one_mesh', {}, {COLOR_0: 3} ],
+     ])
+    await same(name, {[`${name}.gltf`]: gltf({doubleSided: true, ...material}, attributes)});
+process.exit(failed);
