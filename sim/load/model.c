@@ -582,7 +582,8 @@ static void add_triangle(struct sim_model *model, const struct placement *at, in
 static int take_corner(struct load *l, const struct aiMesh *mesh, unsigned v,
                        const struct placement *at, struct corner *out, int *ok, int *has_uv)
 {
-    const int colored = mesh->mColors[0] != NULL && l->want->color == NULL;
+    const int colored = mesh->mColors[0] != NULL && l->want->color == NULL &&
+                        (l->family != FAMILY_OBJ || mesh->mColors[0][v].r >= 0.0f); /* the scan's own -1: none */
     double p[3];
     *out = (struct corner){ .rgb = colored ? to_rgb(&mesh->mColors[0][v]) : at->rgb };
     take_position(l, &mesh->mVertices[v], at->m, p, ok);

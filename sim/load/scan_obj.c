@@ -23,6 +23,8 @@ struct scan {
     unsigned long line;
     size_t n_normals;
     size_t point_room, corner_room, face_room, uv_room;
+    float (*rgb)[3];          /* [point_room], colours of vertices; -1: none */
+    int colored;              /* flag: some vertex has one */
     uint32_t *corner_normal;  /* [corner_room], or SIM_NONE */
     unsigned long *face_line; /* [face_room] */
     size_t texture_max;       /* the largest vt index, 1 .., and its line */
@@ -156,14 +158,14 @@ static int take_point(struct scan *s)
     if (obj->n_points == s->point_room) {
         s->point_room = 2 * s->point_room + 1024;
         obj->point = sim_grow(obj->point, s->point_room, sizeof *obj->point);
+        s->rgb = sim_grow(s->rgb, s->point_room, sizeof *s->rgb);
     }
     if (obj->n_points >= SIM_NONE - 1)
         return sim_refuse(s->file, s->line, "more than 2^32 - 2 vertices; split the model");
+    for (int k = 0; k < 3; k++)
+        s->rgb[obj->n_points][k] = n >= 6 ? (float)fmin(fmax(v[3 + k], 0.0), 1.0) : -1.0f;
+    s->colored |= n >= 6;
     memcpy(obj->point[obj->n_points++], v, sizeof *obj->point);
-    if (n >= 6) /* a colour follows */
-        emit(&s->vertices, "v %.9g %.9g %.9g %.9g %.9g %.9g\n", v[0], v[1], v[2], v[3], v[4], v[5]);
-    else
-        emit(&s->vertices, "v %.9g %.9g %.9g\n", v[0], v[1], v[2]);
     return SIM_OK;
 }
 
@@ -356,6 +358,20 @@ static int check_faces(const struct scan *s)
     return SIM_OK;
 }
 
+/* Colours of no vertex or of all: assimp counts only vertices that have one, so it gives others' to them. */
+static void emit_points(struct scan *s)
+{
+    for (size_t i = 0; i < s->obj->n_points; i++) {
+        const double *p = s->obj->point[i];
+        const float *c = s->rgb[i];
+        if (s->colored)
+            emit(&s->vertices, "v %.9g %.9g %.9g %.9g %.9g %.9g\n", p[0], p[1], p[2], (double)c[0], (double)c[1],
+                 (double)c[2]);
+        else
+            emit(&s->vertices, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
+    }
+}
+
 int sim_obj_scan(struct sim_obj *obj, const char *file, const char *text, size_t bytes)
 {
     memset(obj, 0, sizeof *obj);
@@ -372,6 +388,7 @@ int sim_obj_scan(struct sim_obj *obj, const char *file, const char *text, size_t
     if (status == SIM_OK)
         status = check_faces(&s);
     if (status == SIM_OK) {
+        emit_points(&s);
         obj->text_bytes = s.vertices.n + s.body.n;
         obj->text = sim_grow(s.vertices.text, obj->text_bytes, 1);
         memcpy(obj->text + s.vertices.n, s.body.text, s.body.n);
@@ -379,7 +396,7 @@ int sim_obj_scan(struct sim_obj *obj, const char *file, const char *text, size_t
     } else {
         sim_obj_free(obj);
     }
-    SIM_FREE(s.vertices.text, s.body.text, s.corner_normal, s.face_line);
+    SIM_FREE(s.vertices.text, s.body.text, s.rgb, s.corner_normal, s.face_line);
     return status;
 }
 

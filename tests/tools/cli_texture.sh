@@ -283,6 +283,24 @@ same as wrap
 draw repeated mirror.gltf $plain --shade unlit --wrap repeat
 cmp -s out/wrap.png out/repeated.png && wrong "mirrored is as repeated"
 
+# ---- Colours and materials --------------------------------------------------------------------------------
+half() { # X0 X1 [RGB]    four vertices of the quad's height
+    printf 'v %s\n' "$1 -50 0 ${3:-}" "$2 -50 0 ${3:-}" "$2 50 0 ${3:-}" "$1 50 0 ${3:-}"
+}
+faces='f 1 2 3 4
+f 5 6 7 8'
+halves() { # MODEL LEFT RIGHT    their colours
+    draw halves "$1" $plain --shade flat --ambient 1 --diffuse 0
+    color halves 90 120 "$2"
+    color halves 150 120 "$3"
+}
+grey=cecfce # 204
+begin obj_colours_of_some_vertices
+{ half -50 0 && half 0 50 '1 0 0' && echo "$faces"; } >some.obj
+halves some.obj $grey ff0000
+{ half -50 0 '0 0 1 1' && half 0 50 && echo "$faces"; } >some.obj
+halves some.obj 0000ff $grey
+
 # ---- Drawing --------------------------------------------------------------------------------------------
 begin repeat_and_clamp
 uv_obj three -1 -1 2 2
