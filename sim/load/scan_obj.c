@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include <assimp/material.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -25,11 +26,12 @@ struct scan {
     size_t point_room, corner_room, face_room, uv_room;
     float (*rgb)[3];          /* [point_room], colours of vertices; -1: none */
     int colored;              /* flag: some vertex has one */
+    int used, bare;           /* flags: there was a usemtl; a face stood before it */
     uint32_t *corner_normal;  /* [corner_room], or SIM_NONE */
     unsigned long *face_line; /* [face_room] */
     size_t texture_max;       /* the largest vt index, 1 .., and its line */
     unsigned long texture_line;
-    struct buffer vertices, body; /* of the cleaned text */
+    struct buffer vertices, body; /* of the cleaned text; mtllib goes before, as assimp looks names up as it reads */
 };
 
 struct token {
@@ -283,6 +285,7 @@ static int take_face(struct scan *s)
     }
     obj->count[obj->n_faces] = (uint32_t)n;
     s->face_line[obj->n_faces++] = line;
+    s->bare |= !s->used;
     emit(&s->body, "f");
     for (size_t i = first; i < obj->n_corners; i++) {
         if (s->corner_normal[i] == SIM_NONE)
@@ -295,8 +298,8 @@ static int take_face(struct scan *s)
     return SIM_OK;
 }
 
-/* A name may hold spaces: it goes to the end of the line. */
-static void take_name(struct scan *s, const char *keyword)
+/* A name may hold spaces: it goes to the end of the line. 0: there is none. */
+static int take_name(struct scan *s, const char *keyword, struct buffer *out)
 {
     while (s->p < s->end && is_space(*s->p))
         s->p++;
@@ -306,8 +309,10 @@ static void take_name(struct scan *s, const char *keyword)
     const char *to = s->p;
     while (to > from && is_space(to[-1]))
         to--;
-    if (to > from && to - from < 4096 && memchr(from, '\0', (size_t)(to - from)) == NULL)
-        emit(&s->body, "%s %.*s\n", keyword, (int)(to - from), from);
+    if (to == from || to - from >= 4096 || memchr(from, '\0', (size_t)(to - from)) != NULL)
+        return 0;
+    emit(out, "%s %.*s\n", keyword, (int)(to - from), from);
+    return 1;
 }
 
 static int take_line(struct scan *s)
@@ -323,8 +328,10 @@ static int take_line(struct scan *s)
             status = take_texture(s);
         else if (token_is(&t, "f"))
             status = take_face(s);
-        else if (token_is(&t, "usemtl") || token_is(&t, "mtllib"))
-            take_name(s, token_is(&t, "usemtl") ? "usemtl" : "mtllib");
+        else if (token_is(&t, "mtllib"))
+            (void)take_name(s, "mtllib", &s->vertices);
+        else if (token_is(&t, "usemtl"))
+            s->used |= take_name(s, "usemtl", &s->body);
     }
     while (status == SIM_OK && next_token(s, &t)) {
     }
@@ -389,6 +396,8 @@ int sim_obj_scan(struct sim_obj *obj, const char *file, const char *text, size_t
         status = check_faces(&s);
     if (status == SIM_OK) {
         emit_points(&s);
+        if (s.used && s.bare) /* else assimp gives the first faces the next material */
+            emit(&s.vertices, "usemtl " AI_DEFAULT_MATERIAL_NAME "\n");
         obj->text_bytes = s.vertices.n + s.body.n;
         obj->text = sim_grow(s.vertices.text, obj->text_bytes, 1);
         memcpy(obj->text + s.vertices.n, s.body.text, s.body.n);

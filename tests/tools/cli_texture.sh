@@ -294,12 +294,19 @@ halves() { # MODEL LEFT RIGHT    their colours
     color halves 90 120 "$2"
     color halves 150 120 "$3"
 }
-grey=cecfce # 204
+grey=cecbce # 204, under the light
 begin obj_colours_of_some_vertices
 { half -50 0 && half 0 50 '1 0 0' && echo "$faces"; } >some.obj
 halves some.obj $grey ff0000
 { half -50 0 '0 0 1 1' && half 0 50 && echo "$faces"; } >some.obj
 halves some.obj 0000ff $grey
+begin obj_faces_before_the_first_usemtl
+printf '%s\n' 'newmtl red' 'Kd 1 0 0' 'newmtl blue' 'Kd 0 0 1' >two.mtl
+{ half -50 0 && half 0 50 && printf '%s\n' 'mtllib two.mtl' 'f 1 2 3 4' 'usemtl red' 'f 5 6 7 8'; } >first.obj
+halves first.obj $grey ff0000
+begin obj_mtllib_behind_usemtl
+{ half -50 0 && half 0 50 && printf '%s\n' 'usemtl blue' 'f 1 2 3 4' 'mtllib two.mtl' 'usemtl red' 'f 5 6 7 8'; } >last.obj
+halves last.obj 0000ff ff0000
 
 # ---- Drawing --------------------------------------------------------------------------------------------
 begin repeat_and_clamp
