@@ -20,6 +20,7 @@
 #include <sys/stat.h>
 
 #include "assimp_library.h"
+#include "gltf_floats.h"
 #include "material.h"
 #include "memory_file.h"
 #include "model_shape.h"
@@ -679,6 +680,8 @@ static int look_through(struct load *l)
         status = sim_gltf_check(l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OTHER)
         sim_gltf_required(l->model->lost, l->file, l->text, l->bytes);
+    if (status == SIM_OK && l->family == FAMILY_OTHER)
+        status = sim_gltf_floats(l->file, &l->text, &l->bytes, read_text);
     if (l->family == FAMILY_OBJ) {
         free(l->text);
         l->text = NULL;

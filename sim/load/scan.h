@@ -12,6 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "json_text.h"
 #include "losses.h"
 
 #define SIM_NONE UINT32_MAX
@@ -66,6 +67,9 @@ int sim_stl_check(const char *file, const char *text, size_t bytes);
 
 /* Of a glTF file: note the extensions that it requires and that are not read. Other files: nothing. */
 void sim_gltf_required(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
+
+/* The JSON of a glTF file; p NULL: it has none. A .glb's stands behind 20 bytes. */
+struct sim_text sim_gltf_json(const char *file, const char *text, size_t bytes);
 
 /* A sentence for what assimp says of a glTF file; NULL: none is known. */
 const char *sim_gltf_words(const char *file, const char *heard);

@@ -34,32 +34,33 @@ int sim_gltf_check(const char *file, const char *text, size_t bytes)
     return SIM_OK;
 }
 
+struct sim_text sim_gltf_json(const char *file, const char *text, size_t bytes)
+{
+    const struct sim_text none = { NULL, NULL };
+    if (ends_in(file, ".gltf"))
+        return (struct sim_text){ text, text + bytes };
+    if (!ends_in(file, ".glb") || bytes < 20 || u32(text + 12) > bytes - 20)
+        return none;
+    return (struct sim_text){ text + 20, text + 20 + u32(text + 12) };
+}
+
 void sim_gltf_required(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
 {
     static const char *const known[] = { "KHR_materials_unlit", "KHR_texture_transform", "KHR_mesh_quantization",
                                          "KHR_materials_pbrSpecularGlossiness", "KHR_draco_mesh_compression" };
-    static const char key[] = "\"extensionsRequired\"";
-    const int binary = ends_in(file, ".glb");
-    if ((!binary && !ends_in(file, ".gltf")) || bytes < 20)
+    struct sim_text json = sim_gltf_json(file, text, bytes), root, names;
+    if (json.p == NULL || !sim_text_next(&json, NULL, &root))
         return;
-    const char *at = binary ? text + 20 : text;
-    const char *const end = binary && u32(text + 12) < bytes - 20 ? at + u32(text + 12) : text + bytes;
-    while (end - at > (ptrdiff_t)sizeof key && memcmp(at, key, sizeof key - 1) != 0)
-        at++;
-    if (end - at <= (ptrdiff_t)sizeof key)
-        return;
-    for (at += sizeof key - 1; at < end && *at != ']'; at++) {
-        const char *const stop = *at == '"' ? memchr(at + 1, '"', (size_t)(end - at - 1)) : NULL;
-        if (stop == NULL)
-            continue;
-        char name[64];
-        (void)snprintf(name, sizeof name, "%.*s", (int)(stop - at - 1 < 63 ? stop - at - 1 : 63), at + 1);
-        int read = 0;
+    names = sim_text_inside(sim_text_member(root, "extensionsRequired"));
+    for (struct sim_text name; sim_text_next(&names, NULL, &name);) {
+        int read = name.end - name.p < 2 || *name.p != '"';
         for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
-            read |= strcmp(name, known[i]) == 0;
+            read |= sim_text_is(name, known[i]);
+        char plain[64];
+        const long n = name.end - name.p - 2;
+        (void)snprintf(plain, sizeof plain, "%.*s", (int)(n < 63 ? n : 63), name.p + 1);
         if (!read)
-            sim_lose(lost, SIM_LOST_EXTENSION, name);
-        at = stop;
+            sim_lose(lost, SIM_LOST_EXTENSION, plain);
     }
 }
 

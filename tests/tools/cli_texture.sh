@@ -308,6 +308,43 @@ begin obj_mtllib_behind_usemtl
 { half -50 0 && half 0 50 && printf '%s\n' 'usemtl blue' 'f 1 2 3 4' 'mtllib two.mtl' 'usemtl red' 'f 5 6 7 8'; } >last.obj
 halves last.obj 0000ff ff0000
 
+# ---- glTF's integers ----------------------------------------------------------------------------------------
+begin gltf_integer_positions_and_texture_coordinates
+five='\062\000' minus='\316\377' # 50, -50
+{
+    printf "$minus$minus\000\000zz$five$minus\000\000zz$five$five\000\000zz$minus$five\000\000zz"
+    printf '\000\377zz\377\377zz\377\000zz\000\000zz\000\000\001\000\002\000\000\000\002\000\003\000'
+} >small.bin
+quad_of() { # BUFFER POSITION TEXCOORD    types of these
+    printf '{"asset":{"version":"2.0"},"extensionsRequired":["KHR_mesh_quantization"],"scene":0,"scenes":[{"nodes":[0]}],'
+    printf '"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2},'
+    printf '"indices":1,"material":0}]}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],'
+    printf '"textures":[{"source":0}],"images":[{"uri":"four.png"}],"bufferViews":[{"buffer":0,"byteLength":32,'
+    printf '"byteStride":8},{"buffer":0,"byteOffset":48,"byteLength":12},{"buffer":0,"byteOffset":32,"byteLength":16,'
+    printf '"byteStride":4}],"accessors":[{"bufferView":0,%s,"count":4,"type":"VEC3"},' "$2"
+    printf '{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},'
+    printf '{"bufferView":2,"count":4,%s,"type":"VEC2"}],"buffers":[{%s,"byteLength":60}]}\n' "$3" "$1"
+}
+short='"componentType":5122' byte='"componentType":5121,"normalized":true'
+quad_of '"uri":"small.bin"' "$short" "$byte" >small.gltf
+cp small.bin 'a small.bin'
+quad_of '"uri":"a%20small.bin"' "$short" "$byte" >escaped.gltf
+quad_of "\"uri\":\"data:application/octet-stream;base64,$(base64 -w0 small.bin)\"" "$short" "$byte" >inline.gltf
+quad_of '"name":"own"' "$short" "$byte" >json
+n=$(($(wc -c <json) + 3 & ~3))
+{ printf 'glTF\002\000\000\000' && le32 $((n + 88)) && le32 $n && printf "JSON%-${n}s" "$(cat json)" && le32 60 &&
+    printf 'BIN\000' && cat small.bin; } >small.glb
+for model in small.gltf escaped.gltf inline.gltf small.glb; do
+    draw small $model $plain --shade unlit
+    same four small
+done
+quad_of '"uri":"small.bin"' "$short,\"sparse\":{}" "$byte" >sparse.gltf
+z render sparse.gltf --out refused/old.png
+one_line 1 'sparse.gltf: "POSITION" has integers, some of which are replaced (sparse); export it with floats'
+quad_of '"uri":"small.bin"' "$short,\"byteOffset\":40" "$byte" >beyond.gltf
+z render beyond.gltf --out refused/old.png
+one_line 1 'beyond.gltf: an accessor goes beyond its buffer; get the whole file'
+
 # ---- Drawing --------------------------------------------------------------------------------------------
 begin repeat_and_clamp
 uv_obj three -1 -1 2 2

@@ -1,0 +1,290 @@
+/* glTF: integer positions, normals and texture coordinates become floats, in a buffer that is added to the file's
+ * text: assimp 5.2.5 takes their bytes for those of floats. What else is wrong with a file is left to assimp to say.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "gltf_floats.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "json_text.h"
+#include "material.h"
+#include "scan.h"
+#include "sim.h"
+
+struct list {
+    struct sim_text all, *item;
+    size_t n;
+};
+
+static struct list list_of(struct sim_text of, const char *name)
+{
+    struct list list = { .all = sim_text_member(of, name) };
+    struct sim_text left = sim_text_inside(list.all), value;
+    while (list.all.p != NULL && *list.all.p == '[' && sim_text_next(&left, NULL, &value)) {
+        if ((list.n & (list.n - 1)) == 0)
+            list.item = sim_grow(list.item, 2 * list.n + 1, sizeof *list.item);
+        list.item[list.n++] = value;
+    }
+    return list;
+}
+
+/* ---- Buffers --------------------------------------------------------------------------------- */
+
+static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+static void to_base64(char *out, const uint8_t *in, size_t n)
+{
+    for (size_t i = 0; i < n; i += 3) {
+        uint32_t v = 0;
+        for (size_t k = 0; k < 3; k++)
+            v = v << 8 | (i + k < n ? in[i + k] : 0);
+        for (unsigned k = 0; k < 4; k++)
+            *out++ = i + k > n ? '=' : letters[v >> (18 - 6 * k) & 63];
+    }
+    *out = '\0';
+}
+
+static uint8_t *from_base64(const char *p, const char *end, size_t *n)
+{
+    uint8_t *out = sim_alloc((size_t)(end - p) + 1, 1);
+    uint32_t v = 0;
+    *n = 0;
+    for (unsigned bits = 0; p < end && *p != '='; p++) {
+        const char *at = *p != '\0' ? strchr(letters, *p) : NULL;
+        v = v << 6 | (at != NULL ? (uint32_t)(at - letters) : 0);
+        bits += 6;
+        if (bits >= 8)
+            out[(*n)++] = (uint8_t)(v >> (bits -= 8));
+    }
+    return out;
+}
+
+/* A buffer's bytes; data NULL: they are not there. own: malloc'ed, else NULL. */
+struct bytes {
+    const uint8_t *data;
+    uint8_t *own;
+    size_t n;
+};
+
+struct gltf {
+    const char *file;
+    sim_gltf_read *read;
+    struct sim_text json, root; /* all of it, and the object */
+    struct sim_text binary;     /* of a .glb what its second chunk holds */
+    const char *rest;           /* behind the JSON's chunk */
+    struct list accessors, views, buffers;
+    struct bytes *buffer; /* [buffers.n], those that were needed so far */
+    float *out;
+    size_t n, room;
+};
+
+static struct bytes load_buffer(const struct gltf *g, size_t i)
+{
+    struct bytes b = { 0 };
+    const struct sim_text uri = sim_text_member(g->buffers.item[i], "uri");
+    if (uri.p == NULL || uri.end - uri.p < 2) {
+        b.data = i == 0 ? (const uint8_t *)g->binary.p : NULL;
+        b.n = b.data != NULL ? (size_t)(g->binary.end - g->binary.p) : 0;
+        return b;
+    }
+    const char *comma = memchr(uri.p, ',', (size_t)(uri.end - uri.p));
+    if (sim_text_begins(uri, "data:")) {
+        b.own = comma != NULL ? from_base64(comma + 1, uri.end - 1, &b.n) : NULL;
+    } else {
+        const char *slash = strrchr(g->file, '/');
+        const int folder = slash != NULL ? (int)(slash - g->file) + 1 : 0, length = (int)(uri.end - uri.p) - 2;
+        char *path = sim_alloc((size_t)(folder + length) + 1, 1);
+        (void)snprintf(path, (size_t)(folder + length) + 1, "%.*s%.*s", folder, g->file, length, uri.p + 1);
+        b.own = (uint8_t *)g->read(path, &b.n);
+        if (b.own == NULL) {
+            sim_decode_percents(path);
+            b.own = (uint8_t *)g->read(path, &b.n);
+        }
+        free(path);
+    }
+    b.data = b.own;
+    return b;
+}
+
+/* What stands in place of a part of the JSON. */
+struct edit {
+    const char *from, *to;
+    char *text; /* malloc'ed */
+};
+#define EDIT_ROOM 160 /* of its text, but for a buffer's data */
+
+/* ---- Accessors ------------------------------------------------------------------------------- */
+
+static double value_of(const uint8_t *p, uint64_t type, int normalized)
+{
+    static const double largest[4] = { 127.0, 255.0, 32767.0, 65535.0 };
+    const uint32_t raw = type < 5122 ? p[0] : (uint32_t)p[0] | (uint32_t)p[1] << 8;
+    const double v = type == 5120 ? (double)(int8_t)raw : type == 5122 ? (double)(int16_t)raw : (double)raw;
+    return normalized ? fmax(v / largest[type - 5120], -1.0) : v;
+}
+
+static uint64_t number(struct sim_text of, const char *name, uint64_t usual)
+{
+    return sim_text_number(sim_text_member(of, name), usual);
+}
+
+/* Its numbers go behind those in g->out, where the file has them, and into edit what then stands for it.
+ * attribute: what it is in a mesh. */
+static int take_accessor(struct gltf *g, struct sim_text a, struct sim_text attribute, struct edit *edit, size_t *edits)
+{
+    const struct sim_text kind = sim_text_member(a, "type"), flag = sim_text_member(a, "normalized");
+    const uint64_t type = number(a, "componentType", 0), count = number(a, "count", 0);
+    const uint64_t n = sim_text_is(kind, "VEC2") ? 2 : sim_text_is(kind, "VEC3") ? 3 : 0;
+    const uint64_t view = number(a, "bufferView", UINT64_MAX);
+    if (type < 5120 || type > 5123 || n == 0)
+        return SIM_OK;
+    if (sim_text_member(a, "sparse").p != NULL)
+        return sim_refuse(g->file, 0, "%.*s has integers, some of which are replaced (sparse); export it with floats",
+                          (int)(attribute.end - attribute.p), attribute.p);
+    if (view >= g->views.n)
+        return SIM_OK;
+    const struct sim_text v = g->views.item[view];
+    const uint64_t b = number(v, "buffer", UINT64_MAX), size = type < 5122 ? 1 : 2;
+    const uint64_t start = number(v, "byteOffset", 0) + number(a, "byteOffset", 0);
+    uint64_t stride = number(v, "byteStride", 0);
+    stride = stride > 0 ? stride : n * size;
+    if (b >= g->buffers.n)
+        return SIM_OK;
+    if (g->buffer[b].data == NULL)
+        g->buffer[b] = load_buffer(g, (size_t)b);
+    if (g->buffer[b].data == NULL)
+        return SIM_OK;
+    if (count == 0 || start + (count - 1) * stride + n * size > g->buffer[b].n)
+        return sim_refuse(g->file, 0, "an accessor goes beyond its buffer; get the whole file");
+    edit[*edits] = (struct edit){ a.p, a.end, sim_alloc(EDIT_ROOM, 1) };
+    (void)snprintf(edit[(*edits)++].text, EDIT_ROOM,
+                   "{\"bufferView\":%zu,\"byteOffset\":%zu,\"componentType\":5126,\"count\":%llu,\"type\":\"VEC%d\"}",
+                   g->views.n, g->n * sizeof *g->out, (unsigned long long)count, (int)n);
+    if (g->n + n * count > g->room) {
+        g->room = 2 * g->room + n * count;
+        g->out = sim_grow(g->out, g->room, sizeof *g->out);
+    }
+    for (uint64_t i = 0; i < count; i++)
+        for (uint64_t k = 0; k < n; k++)
+            g->out[g->n++] = (float)value_of(g->buffer[b].data + start + i * stride + k * size, type,
+                                             flag.p != NULL && *flag.p == 't');
+    return SIM_OK;
+}
+
+/* What meshes use each accessor for: a string, or none. */
+static struct sim_text *find_uses(const struct gltf *g)
+{
+    struct sim_text *use = sim_alloc(g->accessors.n + 1, sizeof *use);
+    struct sim_text meshes = sim_text_inside(sim_text_member(g->root, "meshes")), mesh, primitive, key, value;
+    while (sim_text_next(&meshes, NULL, &mesh)) {
+        struct sim_text primitives = sim_text_inside(sim_text_member(mesh, "primitives"));
+        while (sim_text_next(&primitives, NULL, &primitive)) {
+            struct sim_text attributes = sim_text_inside(sim_text_member(primitive, "attributes"));
+            while (sim_text_next(&attributes, &key, &value)) {
+                const uint64_t i = sim_text_number(value, UINT64_MAX);
+                if (i < g->accessors.n && (sim_text_is(key, "POSITION") || sim_text_is(key, "NORMAL") ||
+                                           sim_text_begins(key, "TEXCOORD_")))
+                    use[i] = key;
+            }
+        }
+    }
+    return use;
+}
+
+/* ---- The new text ---------------------------------------------------------------------------- */
+
+static int by_place(const void *a, const void *b)
+{
+    const struct edit *x = a, *y = b;
+    return (x->from > y->from) - (x->from < y->from);
+}
+
+static size_t apply(char *out, struct sim_text all, struct edit *edit, size_t n)
+{
+    char *to = out;
+    qsort(edit, n, sizeof *edit, by_place);
+    for (size_t i = 0; i <= n; i++) {
+        const char *stop = i < n ? edit[i].from : all.end;
+        memcpy(to, all.p, (size_t)(stop - all.p));
+        to += stop - all.p;
+        if (i < n) {
+            to = stpcpy(to, edit[i].text);
+            all.p = edit[i].to;
+        }
+    }
+    return (size_t)(to - out);
+}
+
+static void put_u32(char *p, size_t v)
+{
+    for (int k = 0; k < 4; k++)
+        p[k] = (char)(v >> (8 * k) & 255);
+}
+
+/* n: of edits. A view and a buffer of what is in g->out follow. */
+static void rewrite(struct gltf *g, struct edit *edit, size_t n, char **text, size_t *bytes)
+{
+    const size_t raw = g->n * sizeof *g->out, code = (raw + 2) / 3 * 4, head = (size_t)(g->json.p - *text);
+    const size_t rest = (size_t)(*text + *bytes - g->rest);
+    const char *const views = g->views.all.end - 1, *const buffers = g->buffers.all.end - 1;
+    struct edit *const view = &edit[n], *const buffer = &edit[n + 1];
+    *view = (struct edit){ views, views, sim_alloc(EDIT_ROOM, 1) };
+    (void)snprintf(view->text, EDIT_ROOM, ",{\"buffer\":%zu,\"byteLength\":%zu}", g->buffers.n, raw);
+    *buffer = (struct edit){ buffers, buffers, sim_alloc(EDIT_ROOM + code, 1) };
+    const int at = snprintf(buffer->text, EDIT_ROOM,
+                            ",{\"byteLength\":%zu,\"uri\":\"data:application/octet-stream;base64,", raw);
+    to_base64(buffer->text + at, (const uint8_t *)g->out, raw);
+    (void)strcat(buffer->text + at + code, "\"}");
+    size_t room = *bytes + 5;
+    for (size_t i = 0; i < n + 2; i++)
+        room += strlen(edit[i].text);
+    char *out = sim_alloc(room, 1);
+    memcpy(out, *text, head);
+    size_t length = apply(out + head, g->json, edit, n + 2);
+    while (head > 0 && length % 4 != 0)
+        out[head + length++] = ' ';
+    memcpy(out + head + length, g->rest, rest);
+    *bytes = head + length + rest;
+    if (head > 0) {
+        put_u32(out + 8, *bytes);
+        put_u32(out + 12, length);
+    }
+    SIM_FREE(*text, view->text, buffer->text);
+    *text = out;
+}
+
+int sim_gltf_floats(const char *file, char **text, size_t *bytes, sim_gltf_read *read)
+{
+    struct gltf g = { .file = file, .read = read, .json = sim_gltf_json(file, *text, *bytes) };
+    const char *end = *text + *bytes;
+    struct sim_text left = g.json;
+    if (g.json.p == NULL || !sim_text_next(&left, NULL, &g.root))
+        return SIM_OK;
+    g.rest = g.json.end;
+    while (g.json.p > *text && g.rest < end && (g.rest - g.json.p) % 4 != 0) /* chunks of a .glb are whole words */
+        g.rest++;
+    if (g.json.p > *text && end - g.rest >= 8)
+        g.binary = (struct sim_text){ g.rest + 8, end };
+    g.accessors = list_of(g.root, "accessors");
+    g.views = list_of(g.root, "bufferViews");
+    g.buffers = list_of(g.root, "buffers");
+    g.buffer = sim_alloc(g.buffers.n + 1, sizeof *g.buffer);
+    struct sim_text *use = find_uses(&g);
+    struct edit *edit = sim_alloc(g.accessors.n + 2, sizeof *edit);
+    size_t n = 0;
+    int status = SIM_OK;
+    for (size_t i = 0; status == SIM_OK && i < g.accessors.n; i++)
+        if (use[i].p != NULL)
+            status = take_accessor(&g, g.accessors.item[i], use[i], edit, &n);
+    if (status == SIM_OK && n > 0)
+        rewrite(&g, edit, n, text, bytes);
+    for (size_t i = 0; i < n; i++)
+        free(edit[i].text);
+    for (size_t i = 0; i < g.buffers.n; i++)
+        free(g.buffer[i].own);
+    SIM_FREE(g.accessors.item, g.views.item, g.buffers.item, g.buffer, g.out, use, edit);
+    return status;
+}
