@@ -119,6 +119,8 @@ void budget_frame(struct budget *b, const struct budget_request *rq, const struc
 /* The scene of a request: config (its pools where none were asked for), counts, data. SIM_OK; SIM_REFUSED. */
 int budget_scene(struct budget *b, const struct budget_request *rq);
 
+/* Are all accelerators listed? Of other lists there are no figures of time and flash. */
+int budget_of_all(const struct budget_request *rq);
 /* Is there an estimate of time? Not of numbers alone by a method: what it sorts or compares is then not known. */
 int budget_has_time(const struct budget *b);
 /* The most that it is off by, percent of what the frames took that it was held against. */

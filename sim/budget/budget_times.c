@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
+#include <string.h>
 
 #include "budget.h"
 
@@ -20,6 +21,11 @@ double budget_error(const struct budget *b, enum sim_core core)
     return b->counted.has_effects ? fmax(error, sim_effects_error()) : error;
 }
 
+int budget_of_all(const struct budget_request *rq)
+{
+    return rq->o.fast_names == NULL || strcmp(rq->o.fast_names, "all") == 0;
+}
+
 int budget_has_time(const struct budget *b)
 {
     return !(b->guessed && b->method->method);
@@ -28,7 +34,7 @@ int budget_has_time(const struct budget *b)
 /* Cortex-M0 and M0+: what was counted on the RP2040, whose core it is. */
 double budget_cycles(const struct budget_request *rq, const struct budget *b, enum sim_core core)
 {
-    if (!budget_has_time(b))
+    if (!budget_has_time(b) || !budget_of_all(rq))
         return (double)NAN;
     return sim_costs_sum(core == SIM_CORE_M0 ? SIM_CORE_RP2040 : core, &b->counted) * budget_cpi(rq, core);
 }

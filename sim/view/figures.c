@@ -18,6 +18,7 @@ static void of_scene(struct budget_request *rq, const struct view_shot *shot)
     const char *strip = view_words_get(&shot->words, "--strip"), *start = view_words_get(&shot->words, "--start");
     const char *method = view_words_get(&shot->words, "--method");
     const char *size = view_words_get(&shot->words, "--size");
+    rq->o.fast_names = view_words_get(&shot->words, "--fast");
     rq->scene = view_words_get(&shot->words, "--scene");
     rq->frame = start != NULL ? atol(start) : 0;
     rq->orbit = view_scene_orbit(&shot->words);
@@ -65,7 +66,7 @@ void view_figures_count(struct view_figures *f, const struct view_shot *shot)
         f->fps[i] = 1e6 * p->mhz / budget_cycles(rq, b, p->core);
         if (isfinite(f->fps[i]))
             f->error = fmax(f->error, ceil(budget_error(b, p->core)));
-        f->too_small[i] = b->ram.total[cpu] > p->ram || b->flash[cpu].total > p->flash;
+        f->too_small[i] = b->ram.total[cpu] > p->ram || (budget_of_all(rq) && b->flash[cpu].total > p->flash);
     }
     SIM_FREE(rq, b);
 }

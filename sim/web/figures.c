@@ -76,7 +76,7 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     const double wire = budget_wire_ms(rq, b, p);
     struct budget_totals t;
     budget_totals(&t, rq, b, p->core, p->mhz, wire);
-    t.flash = effects ? (double)NAN : t.flash;
+    t.flash = effects || !budget_of_all(rq) ? (double)NAN : t.flash;
     (void)fprintf(f, "{\"name\":\"%s\",\"core\":\"%s\",\"text\":", p->name,
                   sim_core_names[p->core]);
     answer_text(f, p->text);
@@ -92,7 +92,9 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     (void)fprintf(f, ",\"limit\":\"%s\",\"ramFits\":%s,\"flashFits\":%s",
                   wire > t.draw_ms ? "wire" : "drawing", t.ram <= p->ram ? "true" : "false",
                   t.flash > p->flash ? "false" : "true");
-    if (isnan(t.draw_ms) && n->unknown != NULL)
+    if (!budget_of_all(rq))
+        (void)fputs(",\"why\":\"Time and flash are known with all accelerators alone.\"", f);
+    else if (isnan(t.draw_ms) && n->unknown != NULL)
         (void)fprintf(f, ",\"why\":\"Not known: what %s takes was not measured.\"", n->unknown);
     else if (isnan(t.draw_ms))
         (void)fputs(",\"why\":\"Of numbers alone there is no estimate for this method.\"", f);

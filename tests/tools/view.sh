@@ -224,6 +224,13 @@ done
 stack=$(sed -n 's/^stack,\([0-9]*\).*/\1/p' ram.csv)
 is "the parts of RAM, and the stack" $((sum + stack)) "$ram"
 
+press a
+written view.png
+last_line=$(grep '^# RAM' win_out | tail -n 1)
+case $last_line in *"rp2040 unknown"*) ;; *) wrong "without accelerators: $last_line" ;; esac
+press a
+written view.png
+
 begin what_is_refused
 press BackSpace v v v
 written view.png

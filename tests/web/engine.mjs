@@ -318,6 +318,11 @@ test('web_engine_budget', (is) => {
     is('the small one is too small', engine.parts().find((one) => one.name === 'nrf51822').ramFits, false);
     engine.configure({method: 'painter', width: 200, height: 100, panel: undefined});
     is('another method', engine.parts()[0].fps > 0, true);
+    engine.configure({fast: 'none'});
+    const bare = engine.parts()[0];
+    is('no accelerators: no time, no flash', [ bare.fps, bare.drawMs, bare.flashUsed, bare.why ],
+        [ null, null, null, 'Time and flash are known with all accelerators alone.' ]);
+    engine.configure({fast: undefined});
     engine.configure({method: undefined, width: undefined, height: undefined});
     for (const scene of [ 'stilllife', 'cockpit', 'forest' ]) { // as zsim budget has them
         configure({panel: 'st7789:240x240', strip: 24});
