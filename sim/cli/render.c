@@ -40,6 +40,7 @@ struct job {
     struct sim_view view;
     struct sim_scene *scene; /* kept->scene */
     struct sim_kept_scene own, *kept;
+    struct sim_lost turned[SIM_LOST_KINDS]; /* of a turntable, which keeps no scene */
     struct sim_styled styled; /* with --style */
     struct sim_effect_scene effect; /* with options of effects */
     const struct zs_scene *drawn; /* one of both */
@@ -213,7 +214,7 @@ static int draw_turn(struct job *job)
     struct sim_moving turn = { 0 };
     int status = sim_scene_load(&job->model, &job->options);
     if (status == SIM_OK)
-        status = sim_turntable_draw(&turn, o, &job->model, (uint32_t)o->turntable);
+        status = sim_turntable_draw(&turn, job->turned, o, &job->model, (uint32_t)o->turntable);
     sim_progress_end();
     if (status == SIM_OK)
         status = sim_moving_save(o->out, &turn);
@@ -484,7 +485,7 @@ static void say_losses(const struct job *job)
     if (materials != NULL)
         (void)fprintf(stderr, "%smaterial file %s cannot be read: its colours and textures are missing\n", lead,
                       materials);
-    sim_losses_print(stderr, lead, job->scene == NULL ? job->model.lost : job->scene->lost);
+    sim_losses_print(stderr, lead, job->scene != NULL ? job->scene->lost : job->turned);
 }
 
 int sim_render(int argc, char **argv)

@@ -85,7 +85,7 @@ static int probe(struct sim_moving *m, const struct sim_options *o, const struct
     struct sim_options with = *o;
     with.cull = cull;
     with.background = (struct zs_rgb){ 0, 0, 0 };
-    return sim_turntable_draw(m, &with, model, PROBES);
+    return sim_turntable_draw(m, NULL, &with, model, PROBES);
 }
 
 static double luminance(const uint8_t *rgb)
@@ -178,7 +178,8 @@ static uint32_t materials_used(const struct sim_model *model)
     return n;
 }
 
-static void print(const struct request *rq, const struct sim_model *model, const struct figures *f)
+static void print(const struct request *rq, const struct sim_model *model, const struct figures *f,
+                  const struct sim_lost *lost)
 {
     const struct budget *b = &f->worst;
     const struct zs_config *c = &b->config;
@@ -191,7 +192,7 @@ static void print(const struct request *rq, const struct sim_model *model, const
         printf("  not used: material file %s, which cannot be read\n", model->lost_materials);
     if (f->left_out > 0)
         printf("  not used: %u triangle%s without an area\n", f->left_out, plural(f->left_out));
-    sim_losses_print(stdout, "  ", model->lost);
+    sim_losses_print(stdout, "  ", lost);
     printf("  shading        %s, %s\n", shade_name(rq->o.shade),
            rq->o.cull == ZS_CULL_NONE ? "both sides of faces, since some are seen from behind"
                                       : "front sides of faces");
@@ -285,6 +286,7 @@ int sim_try(int argc, char **argv)
     struct sim_model model = { 0 };
     struct sim_moving turn = { 0 }, sheet = { 0 };
     static struct figures figures;
+    static struct sim_lost lost[SIM_LOST_KINDS];
     int status = parse(&rq, argc, argv);
     if (status == SIM_OK && rq.help) {
         sim_option_help(table, N_TABLE, &help);
@@ -297,16 +299,16 @@ int sim_try(int argc, char **argv)
         status = choose_look(&rq.o, &model);
     }
     if (status == SIM_OK)
-        status = sim_turntable_draw(&turn, &rq.o, &model, (uint32_t)rq.frames);
+        status = sim_turntable_draw(&turn, lost, &rq.o, &model, (uint32_t)rq.frames);
     if (status == SIM_OK)
-        status = sim_turntable_draw(&sheet, &rq.o, &model, SHEET_VIEWS);
+        status = sim_turntable_draw(&sheet, NULL, &rq.o, &model, SHEET_VIEWS);
     if (status == SIM_OK)
         status = count(&figures, &rq.o, &model);
     sim_progress_end();
     if (status == SIM_OK)
         status = save(&rq, &turn, &sheet);
     if (status == SIM_OK)
-        print(&rq, &model, &figures);
+        print(&rq, &model, &figures, lost);
     sim_turntable_free(&turn);
     sim_turntable_free(&sheet);
     sim_model_free(&model);

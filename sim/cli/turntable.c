@@ -39,7 +39,7 @@ int sim_turntable_view(struct sim_options *out, const struct sim_options *o,
     return SIM_OK;
 }
 
-int sim_turntable_draw(struct sim_moving *m, const struct sim_options *o,
+int sim_turntable_draw(struct sim_moving *m, struct sim_lost *lost, const struct sim_options *o,
                        const struct sim_model *model, uint32_t n)
 {
     uint8_t **frame = sim_alloc(n, sizeof *frame);
@@ -61,6 +61,8 @@ int sim_turntable_draw(struct sim_moving *m, const struct sim_options *o,
         seen.rgb = NULL;
         sim_picture_free(&seen);
     }
+    if (status == SIM_OK && lost != NULL)
+        memcpy(lost, kept.scene.lost, sizeof kept.scene.lost);
     sim_kept_free(&kept);
     return status;
 }

@@ -227,6 +227,23 @@ one_line 2 'turntable writes pictures alone'
 z render colors.obj --turntable 0 --out turn.png
 one_line 1 'turntable 0 is outside its range'
 
+begin losses_are_named_as_by_render
+z render ball.obj --out dot.png --size 8x8
+obj lossy 'mtllib lossy.mtl' 'v 0 0 0 1 0 0' 'v 1 0 0 1 0 0' 'v 0 1 0 1 0 0' 'vt 0 0' 'vt 1 0' 'vt 0 1' 'usemtl a' \
+    'f 1/1 2/2 3/3'
+printf 'newmtl a\nmap_Kd dot.png\nKs 0.1 0.1 0.1\nNs 9\n' >lossy.mtl
+for what in 'vertex colours under a texture (1, of material "a")' \
+    'highlights on a texture, too faint for what they cost (1, of material "a")'; do
+    echo "not carried over: $what"
+done >want
+z render lossy.obj --out still.png
+sed 's/^zsim: lossy.obj: //' stderr | cmp -s want - || wrong "render says $(said)"
+z render lossy.obj --turntable 2 --out turn.png
+is status $status 0
+sed 's/^zsim: lossy.obj: //' stderr | cmp -s want - || wrong "render --turntable says $(said)"
+trial a lossy.obj
+grep 'not carried over' stdout | sed 's/^  //' | cmp -s want - || wrong "try says $(grep 'not carried' stdout | tr '\n' '|')"
+
 # ---- Simplified ---------------------------------------------------------------------------------
 awk 'BEGIN { n = 60; pi = atan2(0, -1)
     for (i = 0; i <= n; i++) for (j = 0; j <= n; j++) {
