@@ -62,6 +62,7 @@ struct load {
     struct sim_obj obj;
     struct sim_mtl mtl;          /* OBJ: its material files */
     struct sim_use *use;         /* [n_materials], how each uses its texture; NULL: not wanted */
+    int gltf;                    /* flag: it is one */
     int has_materials;           /* OBJ: a material file was read */
     const struct sim_want *want;
     const struct aiScene *scene;
@@ -487,6 +488,7 @@ struct placement {
     double normals[9]; /* its cofactors */
     int mirrored;      /* flag */
     struct zs_rgb rgb;
+    struct aiColor4D base; /* glTF: what vertex colours are multiplied by; else 1 */
     uint32_t material;
     const struct sim_use *use; /* NULL: no uv are wanted */
 };
@@ -578,15 +580,26 @@ static void add_triangle(struct sim_model *model, const struct placement *at, in
         model->has_uv[t] = (uint8_t)has_uv;
 }
 
+static struct zs_rgb corner_rgb(const struct load *l, const struct aiMesh *mesh, unsigned v, const struct placement *at)
+{
+    if (mesh->mColors[0] == NULL || l->want->color != NULL || is_black(to_rgb(&at->base)))
+        return at->rgb;
+    struct aiColor4D c = mesh->mColors[0][v];
+    if (l->family == FAMILY_OBJ && c.r < 0.0f) /* the scan's: it has none */
+        return at->rgb;
+    c.r *= at->base.r;
+    c.g *= at->base.g;
+    c.b *= at->base.b;
+    return to_rgb(&c);
+}
+
 /* One corner of a face; *ok is cleared where assimp's is not the scan's, *has_uv where it has no
  * texture coordinates. */
 static int take_corner(struct load *l, const struct aiMesh *mesh, unsigned v,
                        const struct placement *at, struct corner *out, int *ok, int *has_uv)
 {
-    const int colored = mesh->mColors[0] != NULL && l->want->color == NULL &&
-                        (l->family != FAMILY_OBJ || mesh->mColors[0][v].r >= 0.0f); /* the scan's own -1: none */
     double p[3];
-    *out = (struct corner){ .rgb = colored ? to_rgb(&mesh->mColors[0][v]) : at->rgb };
+    *out = (struct corner){ .rgb = corner_rgb(l, mesh, v, at) };
     take_position(l, &mesh->mVertices[v], at->m, p, ok);
     for (int i = 0; i < 3; i++)
         if (!(fabs(p[i]) <= COORD_MAX))
@@ -648,11 +661,13 @@ static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFa
 
 static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[12])
 {
-    struct placement at = { .m = m };
+    struct placement at = { .m = m, .base = { 1.0f, 1.0f, 1.0f, 1.0f } };
     int status = SIM_OK;
     at.mirrored = cofactors(at.normals, m) < 0.0;
     at.material = mesh->mMaterialIndex < l->model->n_materials ? mesh->mMaterialIndex : 0;
     at.rgb = l->model->material[at.material].rgb;
+    if (l->gltf && at.material < l->scene->mNumMaterials)
+        (void)aiGetMaterialColor(l->scene->mMaterials[at.material], AI_MATKEY_COLOR_DIFFUSE, &at.base);
     at.use = l->use != NULL ? &l->use[at.material] : NULL;
     for (unsigned f = 0; status == SIM_OK && f < mesh->mNumFaces; f++) {
         if (mesh->mFaces[f].mNumIndices >= 3)
@@ -680,7 +695,8 @@ static int look_through(struct load *l)
         status = sim_gltf_check(l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OTHER)
         sim_gltf_required(l->model->lost, l->file, l->text, l->bytes);
-    if (status == SIM_OK && l->family == FAMILY_OTHER)
+    l->gltf = l->family == FAMILY_OTHER && sim_gltf_json(l->file, l->text, l->bytes).p != NULL;
+    if (status == SIM_OK && l->gltf)
         status = sim_gltf_floats(l->file, &l->text, &l->bytes, read_text);
     if (l->family == FAMILY_OBJ) {
         free(l->text);

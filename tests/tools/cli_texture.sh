@@ -308,6 +308,26 @@ begin obj_mtllib_behind_usemtl
 { half -50 0 && half 0 50 && printf '%s\n' 'usemtl blue' 'f 1 2 3 4' 'mtllib two.mtl' 'usemtl red' 'f 5 6 7 8'; } >last.obj
 halves last.obj 0000ff ff0000
 
+# ---- glTF's colours of vertices: times the material's
+begin gltf_colours_of_vertices
+colored() { # FACTOR EMISSION COMPONENTS    a quad whose vertices are ff8040
+    printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":['
+    printf '{"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"material":0}]}],"materials":[{"name":"M",'
+    printf '"emissiveFactor":[%s],"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1,' "$2"
+    printf '"baseColorFactor":[%s,1]}}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":80,' "$1"
+    printf '"byteLength":12},{"buffer":0,"byteOffset":92,"byteLength":16,"byteStride":4}],"accessors":['
+    printf '{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},'
+    printf '{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},{"bufferView":2,"componentType":5121,'
+    printf '"normalized":true,"count":4,"type":"VEC%s"}],"buffers":[{"uri":"colored.bin","byteLength":108}]}\n' "$3"
+}
+{ quad_bin && printf '\377\200\100\377\377\200\100\377\377\200\100\377\377\200\100\377'; } >colored.bin
+colored 1,1,1 0,0,0 4 >colored.gltf
+halves colored.gltf ff8242 ff8242
+colored 0.5,1,0.25 0,0,0 4 >colored.gltf
+halves colored.gltf 848210 848210
+colored 0,0,0 0,0,1 4 >colored.gltf # it shines, and that is all
+halves colored.gltf 0000ff 0000ff
+
 # ---- glTF's integers ----------------------------------------------------------------------------------------
 begin gltf_integer_positions_and_texture_coordinates
 five='\062\000' minus='\316\377' # 50, -50
