@@ -142,6 +142,8 @@ for (const [ name, material, attributes ] of [
               {KHR_texture_transform: {offset: [ .25, .5 ], scale: [ .5, .75 ], rotation: 0.5}}}}} ],
          [ 'the_second_coordinates', {pbrMetallicRoughness: {baseColorTexture: {...texture, texCoord: 1}}} ],
          [ 'colours_of_one_mesh', {}, {COLOR_0: 3} ],
+         [ 'colours_times_a_colour', {pbrMetallicRoughness: {baseColorFactor: [ .5, .9, .2, 1 ]}}, {COLOR_0: 3} ],
+         [ 'colours_and_black', {pbrMetallicRoughness: {baseColorFactor: [ 0, 0, 0, 1 ]}}, {COLOR_0: 3} ],
      ])
     await same(name, {[`${name}.gltf`]: gltf({doubleSided: true, ...material}, attributes)});
 process.exit(failed);

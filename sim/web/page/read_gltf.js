@@ -150,7 +150,7 @@ class Gltf {
         const points = this.rows(p.attributes.POSITION);
         const normals = p.attributes.NORMAL === undefined ? null : this.rows(p.attributes.NORMAL);
         const uvs = this.uvsOf(p);
-        const colors = p.attributes.COLOR_0 === undefined ? null : this.rows(p.attributes.COLOR_0);
+        const colors = this.colorsOf(p);
         const order = p.indices === undefined ? points.map((_, i) => i) : this.rows(p.indices).map((r) => r[0]);
         const step = mode === 4 ? 3 : 1;
         /* corners of the triangle that begins there; of a strip every other one is the other way round */
@@ -185,6 +185,15 @@ class Gltf {
             const c = cornersAt(t).map(vertex);
             this.corners.polygon(cof.mirrored ? [c[0], c[2], c[1]] : c, p.material ?? this.plain());
         }
+    }
+
+    /* Of a primitive's vertices: times its material's colour, in single precision as zsim has it. */
+    colorsOf(p) {
+        const base = (this.json.materials || [])[p.material]?.pbrMetallicRoughness?.baseColorFactor || [1, 1, 1];
+        const black = base.slice(0, 3).every((c) => Math.round(255 * c) <= 0);
+        if (p.attributes.COLOR_0 === undefined || black) return null;
+        return this.rows(p.attributes.COLOR_0).map((row) => row.map((c, k) =>
+            (k < 3 ? Math.fround(Math.fround(c) * Math.fround(base[k])) : c)));
     }
 
     /* Of a primitive: those that its texture names, as KHR_texture_transform moves them. */
