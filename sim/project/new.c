@@ -229,6 +229,14 @@ static const char linux_why_text[] =
     "        hal_write(\"\\n\");\n"
     "#endif\n";
 
+/* The light of a scene in which something shines: that of the model's lamp. */
+static const char lit_text[] =
+    "#ifdef MODEL_LITS /* what shines has its light from there */\n"
+    "                                    .light = { .dir = { model_lamp[0].dir[0], model_lamp[0].dir[1],\n"
+    "                                                        model_lamp[0].dir[2] },\n"
+    "                                               .ambient = ZS_Q16_ONE / 4, .diffuse = ZS_Q16_ONE * 3 / 4 },\n"
+    "#endif\n";
+
 static int write_templates(const struct request *rq, const char *sources, const char *name, const char *input)
 {
     static const char *const files[][2] = { { "main.c", "main.c" },
@@ -284,6 +292,7 @@ static int write_templates(const struct request *rq, const char *sources, const 
           is_pico ? "make show              # the program in an emulated Pico: pictures, and frames a second\n" : "" },
         { "IMAGE", is_linux ? "the program for the panel: build/fw/linux/" : "what is flashed, in build/fw/" },
         { "IMAGE_OF", is_linux ? elf : b->name },
+        { "LIGHT", defined(header, "LITS") > 0 ? lit_text : "" },
         { "UNIT", b->pixel_bits < 16 ? "1" : "2" },
         { "DEFINES", gloss ? "-DZS_VARYINGS_MAX=4" : "" },
         { "OPTIONS", gloss ? "target_compile_options(zstrip PUBLIC -DZS_VARYINGS_MAX=4)\n" : "" },

@@ -151,6 +151,19 @@ shares dry panes host
 project dry test BOARD=host || wrong "$(tail -3 made.txt)"
 cmp -s wet/build/host/test_1.bin dry/build/host/test_1.bin && wrong 'it shines no more than without'
 
+# Two halves of a wall in the same paint, of which one shines: the same light makes them one colour
+obj wall 'mtllib wall.mtl' 'v 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 0' 'v 2 0 0' 'v 2 1 0' 'usemtl gloss' 'f 1 2 3 4' \
+    'usemtl plain' 'f 2 5 6 3'
+printf 'newmtl gloss\nKd 0.8 0.2 0.2\nKs 0.3 0.3 0.3\nNs 900\nnewmtl plain\nKd 0.8 0.2 0.2\n' >wall.mtl
+begin new_has_one_light
+z new wall.obj --shade flat --out wall
+[ "$status" = 0 ] || wrong "$(said)"
+grep -q '^#define MODEL_LITS 1u' wall/model.h || wrong 'nothing shines'
+shares wall panes host
+project wall test BOARD=host || wrong "$(tail -3 made.txt)"
+look png wall/build/host/test_1.png
+is 'colours: background, counter, wall' "$(word 3 $seen)" 3
+
 begin new_says_what_does_not_fit
 sed -i 's/^#define ROWS .*/#define ROWS 240/; s/^#define TRIS .*/#define TRIS 9000/' opaque/display.h opaque/main.c
 project opaque image BOARD=pico && wrong 'it fits'

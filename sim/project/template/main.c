@@ -22,7 +22,7 @@ int main(void)
     static struct zs_overlay overlay = { .item = &counter, .n = 1 };
     static const struct zs_resolve hook = { .draw = zs_overlay_draw, .ctx = &overlay };
     const struct zs_scene scene = { .instance = instance, .n_instances = MODEL_INSTANCES,
-                                    .background = ZS_RGB565(0x0a143c), .resolve = &hook, .n_resolves = 1 };
+@LIGHT@                                    .background = ZS_RGB565(0x0a143c), .resolve = &hook, .n_resolves = 1 };
     struct zs_camera camera;
     screen_config.depth = &zs_depth_float;
     screen_config.fast = fast;
