@@ -705,9 +705,22 @@ static int look_through(struct load *l)
     return status;
 }
 
+/* OFF's colours may be whole numbers up to 255: then some are above 1. */
+static void scale_colors(const struct aiMesh *mesh)
+{
+    struct aiColor4D *const c = mesh->mColors[0];
+    float most = 0.0f;
+    for (unsigned v = 0; c != NULL && v < mesh->mNumVertices; v++)
+        most = fmaxf(most, fmaxf(fmaxf(c[v].r, c[v].g), fmaxf(c[v].b, c[v].a)));
+    for (unsigned v = 0; most > 1.0f && v < mesh->mNumVertices; v++)
+        c[v] = (struct aiColor4D){ c[v].r / 255.0f, c[v].g / 255.0f, c[v].b / 255.0f, c[v].a / 255.0f };
+}
+
 static int build(struct load *l)
 {
     struct sim_model *model = l->model;
+    for (unsigned i = 0; l->family == FAMILY_OFF && i < l->scene->mNumMeshes; i++)
+        scale_colors(l->scene->mMeshes[i]);
     int status = walk(l, count_mesh);
     if (status == SIM_OK && model->n_tris == 0)
         status = sim_refuse(l->file, 0, "no faces in it; zsim draws polygons");

@@ -308,6 +308,17 @@ begin obj_mtllib_behind_usemtl
 { half -50 0 && half 0 50 && printf '%s\n' 'usemtl blue' 'f 1 2 3 4' 'mtllib two.mtl' 'usemtl red' 'f 5 6 7 8'; } >last.obj
 halves last.obj 0000ff ff0000
 
+begin off_colours_of_whole_numbers
+off() { # LEFT RIGHT    rgba of their vertices
+    printf 'COFF\n8 2 0\n'
+    { half -50 0 "$1" && half 0 50 "$2"; } | sed 's/^v //'
+    printf '4 0 1 2 3\n4 4 5 6 7\n'
+}
+off '255 0 0 255' '0 128 64 255' >whole.off
+halves whole.off ff0000 008242
+off '1 0 0 1' '0 0.5 0.25 1' >whole.off
+halves whole.off ff0000 008242
+
 # ---- glTF's colours of vertices: times the material's
 begin gltf_colours_of_vertices
 colored() { # FACTOR EMISSION COMPONENTS    a quad whose vertices are ff8040
