@@ -78,9 +78,10 @@ static int is_ear(const struct ring *r, const uint32_t *inward, uint32_t n_inwar
     return 1;
 }
 
+/* Or straight on: an ear with such a corner on a side would leave it out of that side, and a gap there. */
 static int is_inward(const struct ring *r, uint32_t corner)
 {
-    return turn(r->at[r->last[corner]], r->at[corner], r->at[r->next[corner]]) < 0.0;
+    return turn(r->at[r->last[corner]], r->at[corner], r->at[r->next[corner]]) <= 0.0;
 }
 
 /* Leave a corner out of a list. Returns how many it has then. */
@@ -131,10 +132,12 @@ static void clip_ears(struct ring *r, uint32_t n, uint32_t *inward, uint32_t (*o
     }
 }
 
-static int is_convex(double (*const at)[2], uint32_t n)
+/* No corner turns inwards, and no triangle of a fan is without an area, as beside a corner on a straight side. */
+static int is_fan(double (*const at)[2], uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++)
-        if (turn(at[i], at[(i + 1) % n], at[(i + 2) % n]) < 0.0)
+        if (turn(at[i], at[(i + 1) % n], at[(i + 2) % n]) < 0.0 ||
+            (i + 2 < n && turn(at[0], at[i + 1], at[i + 2]) == 0.0))
             return 0;
     return 1;
 }
@@ -143,7 +146,7 @@ void sim_polygon_cut(const double (*point)[3], uint32_t n, uint32_t (*out)[3])
 {
     double (*const at)[2] = sim_alloc(n, sizeof *at);
     flatten(point, n, at);
-    if (is_convex(at, n)) {
+    if (is_fan(at, n)) {
         for (uint32_t t = 0; t + 2 < n; t++) {
             out[t][0] = 0;
             out[t][1] = t + 1;

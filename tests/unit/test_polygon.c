@@ -167,6 +167,33 @@ static void quad_with_a_notch(void **state)
     }
 }
 
+/* Corners on straight sides, the first one among them or beside the first: a triangle without an area leaves a gap where
+ * the neighbour has that corner. */
+static void straight_sides(void **state)
+{
+    (void)state;
+    const double u[3] = { 1, 0, 0 }, v[3] = { 0, 1, 0 };
+    static const struct polygon of[4] = {
+        { .n = 4, .p = { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, 0.5 } } },
+        { .n = 8, .p = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 2, 2 }, { 1, 2 }, { 0, 2 }, { 0, 1 } } },
+        { .n = 7, .p = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 3, 3 }, { 2, 2 }, { 1, 1 } } },
+        { .n = 8, .p = { { 0, 0 }, { 2, 0 }, { 4, 0 }, { 4, 4 }, { 2, 4 }, { 2, 3 }, { 2, 2 }, { 0, 2 } } } };
+    for (int i = 0; i < 4; i++)
+        for (uint32_t first = 0; first < of[i].n; first++) {
+            struct polygon g = { .n = of[i].n };
+            for (uint32_t k = 0; k < g.n; k++)
+                memcpy(g.p[k], of[i].p[(first + k) % g.n], sizeof g.p[k]);
+            cut(&g, u, v);
+            double sum = 0.0;
+            for (uint32_t t = 0; t + 2 < g.n; t++) {
+                const double twice = turn(g.p[g.tri[t][0]], g.p[g.tri[t][1]], g.p[g.tri[t][2]]);
+                assert_true(twice > 0.0);
+                sum += twice;
+            }
+            assert_true(sum == area(&g));
+        }
+}
+
 /* A polygon that crosses itself, one without an area, one point: triangles of its corners, and an end. */
 static void no_polygon(void **state)
 {
@@ -188,6 +215,7 @@ static const struct CMUnitTest tests[] = {
     CASES_TEST(rings, rings, 400),
     cmocka_unit_test(convex_is_a_fan),
     cmocka_unit_test(quad_with_a_notch),
+    cmocka_unit_test(straight_sides),
     cmocka_unit_test(no_polygon),
 };
 CASES_MAIN(tests)

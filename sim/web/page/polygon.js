@@ -49,7 +49,7 @@ class Ring {
     }
 
     isInward(i) {
-        return turn(...this.corners(i)) < 0;
+        return turn(...this.corners(i)) <= 0;
     }
 
     isEar(i) {
@@ -98,7 +98,8 @@ class Ring {
 export function cutPolygon(point) {
     const n = point.length,
         at = flatten(point);
-    if (at.every((p, i) => !(turn(p, at[(i + 1) % n], at[(i + 2) % n]) < 0)))
-        return at.slice(2).map((_, i) => [0, i + 1, i + 2]);
+    const inward = (p, i) => turn(p, at[(i + 1) % n], at[(i + 2) % n]) < 0,
+        flat = (_, i) => i + 2 < n && turn(at[0], at[i + 1], at[i + 2]) === 0;
+    if (!at.some(inward) && !at.some(flat)) return at.slice(2).map((_, i) => [0, i + 1, i + 2]);
     return new Ring(at).cut();
 }
