@@ -11,7 +11,7 @@ static void count_meshes(struct sim_lost *lost, const struct aiScene *scene)
 {
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         const struct aiMesh *mesh = scene->mMeshes[i];
-        unsigned lines = 0, clear = 0;
+        unsigned lines = 0, clear = 0, none = 0;
         if (mesh->mNumBones > 0)
             sim_lose(lost, SIM_LOST_SKIN, mesh->mName.data);
         if (mesh->mNumAnimMeshes > 0)
@@ -21,10 +21,10 @@ static void count_meshes(struct sim_lost *lost, const struct aiScene *scene)
         for (unsigned f = 0; f < mesh->mNumFaces; f++)
             lines += mesh->mFaces[f].mNumIndices < 3;
         for (unsigned v = 0; mesh->mColors[0] != NULL && v < mesh->mNumVertices; v++)
-            clear += mesh->mColors[0][v].a < 0.998f;
+            clear += mesh->mColors[0][v].a < 0.998f, none += mesh->mColors[0][v].a == 0.0f;
         if (lines > 0)
             sim_lose(lost, SIM_LOST_LINES, mesh->mName.data);
-        if (clear > 0)
+        if (clear > 0 && none < mesh->mNumVertices) /* colours of three numbers have 0 */
             sim_lose(lost, SIM_LOST_VERTEX_ALPHA, mesh->mName.data);
     }
 }

@@ -204,7 +204,8 @@ static void look_of(struct sim_material *to, const struct aiMaterial *m)
         const int has = aiGetMaterialColor(m, AI_MATKEY_BASE_COLOR, &c) == aiReturn_SUCCESS;
         to->alpha_mode = (uint8_t)mode;
         to->alpha = mode == SIM_ALPHA_OPAQUE || !has ? 255 : to_byte((double)c.a);
-        to->alpha_least = to_byte(number_of(m, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5));
+        to->alpha_least = to_byte(number_of(m, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5) / /* texels are times its alpha */
+                                  (has && c.a > 0.0f ? (double)c.a : 1.0));
         const double base[3] = { to->rgb.r / 255.0, to->rgb.g / 255.0, to->rgb.b / 255.0 };
         set_roughness(to, rough_of(m), metal_of(m), base);
         return;

@@ -465,6 +465,14 @@ static void count_losses(struct load *l)
     for (uint32_t t = 0; t < model->n_tris; t++)
         used[model->tri_material[t]] |= model->has_uv != NULL && model->has_uv[t] ? USED | PLACED : USED;
     sim_losses_count(model->lost, l->scene, l->family == FAMILY_OBJ ? NULL : used);
+    if (l->family == FAMILY_STL) /* assimp's: the format has none */
+        memset(&model->lost[SIM_LOST_VERTEX_ALPHA], 0, sizeof *model->lost);
+    for (size_t i = 0; i < l->obj.n_lines; i++)
+        sim_lose(model->lost, SIM_LOST_LINES, "");
+    for (uint32_t i = 0; i < model->n_materials; i++) /* all of it is to be cut out */
+        if (used[i] && model->material[i].alpha_mode == SIM_ALPHA_MASK && model->material[i].alpha < 255 &&
+            model->material[i].alpha_least == 255)
+            sim_lose(model->lost, SIM_LOST_OPACITY, model->material[i].name);
     for (uint32_t i = 0; l->use != NULL && l->want->picture == NULL && i < model->n_materials; i++)
         if (used[i] == USED && l->use[i].path[0] != '\0')
             sim_lose(model->lost, SIM_LOST_UNPLACED, model->material[i].name);
@@ -585,7 +593,9 @@ static struct zs_rgb corner_rgb(const struct load *l, const struct aiMesh *mesh,
     if (mesh->mColors[0] == NULL || l->want->color != NULL || is_black(to_rgb(&at->base)))
         return at->rgb;
     struct aiColor4D c = mesh->mColors[0][v];
-    if (l->family == FAMILY_OBJ && c.r < 0.0f) /* the scan's: it has none */
+    const int none = l->family == FAMILY_OBJ ? c.r < 0.0f                          /* by the scan */
+                                             : l->family == FAMILY_STL && c.a < 1.0f; /* by assimp */
+    if (none)
         return at->rgb;
     c.r *= at->base.r;
     c.g *= at->base.g;
@@ -688,13 +698,15 @@ static int look_through(struct load *l)
     if (status == SIM_OK && l->family == FAMILY_OBJ)
         status = sim_obj_scan(&l->obj, l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_PLY)
-        status = sim_ply_check(l->file, l->text, l->bytes);
+        status = sim_ply_check(l->model->lost, l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_STL)
-        status = sim_stl_check(l->file, l->text, l->bytes);
+        status = sim_stl_check(l->model->lost, l->file, l->text, l->bytes);
+    if (status == SIM_OK && l->family == FAMILY_OFF)
+        sim_off_look(l->model->lost, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OTHER)
         status = sim_gltf_check(l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OTHER)
-        sim_gltf_required(l->model->lost, l->file, l->text, l->bytes);
+        sim_gltf_extensions(l->model->lost, l->file, l->text, l->bytes);
     l->gltf = l->family == FAMILY_OTHER && sim_gltf_json(l->file, l->text, l->bytes).p != NULL;
     if (status == SIM_OK && l->gltf)
         status = sim_gltf_floats(l->file, &l->text, &l->bytes, read_text);

@@ -25,6 +25,7 @@ struct sim_obj {
     double (*uv)[2];     /* [n_uvs], every `vt`, as written: v upwards */
     uint32_t *corner_uv; /* [n_corners], its uv, or SIM_NONE */
     size_t n_points, n_corners, n_faces, n_uvs;
+    size_t n_lines; /* elements that are points and lines */
     char *text; /* absolute indices, no groups, no elements but faces: assimp keeps its order */
     size_t text_bytes;
 };
@@ -60,13 +61,18 @@ void sim_mtl_free(struct sim_mtl *mtl);
 /* The material of a name, the last one where there are several; NULL: none. */
 const struct sim_mtl_entry *sim_mtl_find(const struct sim_mtl *mtl, const char *name);
 
-/* Refuse a PLY or STL file that is cut off, or in which a face is wrong, or a .glb by its header. Text as above. */
+/* Refuse a PLY or STL file that is cut off, or in which a face is wrong, or a .glb by its header; note colours that are
+ * not read. Text as above. */
 int sim_gltf_check(const char *file, const char *text, size_t bytes);
-int sim_ply_check(const char *file, const char *text, size_t bytes);
-int sim_stl_check(const char *file, const char *text, size_t bytes);
+int sim_ply_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
+int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
 
-/* Of a glTF file: note the extensions that it requires and that are not read. Other files: nothing. */
-void sim_gltf_required(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
+/* Of an OFF file: note colours that are not read. */
+void sim_off_look(struct sim_lost *lost, const char *text, size_t bytes);
+
+/* Of a glTF file: note the extensions that are not read: all that it requires, and those of how it looks. Other files:
+ * nothing. */
+void sim_gltf_extensions(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
 
 /* The JSON of a glTF file; p NULL: it has none. A .glb's stands behind 20 bytes. */
 struct sim_text sim_gltf_json(const char *file, const char *text, size_t bytes);

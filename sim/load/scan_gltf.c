@@ -44,23 +44,41 @@ struct sim_text sim_gltf_json(const char *file, const char *text, size_t bytes)
     return (struct sim_text){ text + 20, text + 20 + u32(text + 12) };
 }
 
-void sim_gltf_required(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
+/* Does a list of strings have one? */
+static int has(struct sim_text list, struct sim_text string)
+{
+    struct sim_text left = sim_text_inside(list), value;
+    while (sim_text_next(&left, NULL, &value))
+        if (value.end - value.p == string.end - string.p &&
+            memcmp(value.p, string.p, (size_t)(string.end - string.p)) == 0)
+            return 1;
+    return 0;
+}
+
+void sim_gltf_extensions(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
 {
     static const char *const known[] = { "KHR_materials_unlit", "KHR_texture_transform", "KHR_mesh_quantization",
-                                         "KHR_materials_pbrSpecularGlossiness", "KHR_draco_mesh_compression" };
-    struct sim_text json = sim_gltf_json(file, text, bytes), root, names;
+                                         "KHR_materials_pbrSpecularGlossiness", "KHR_draco_mesh_compression",
+                                         "KHR_materials_variants" };
+    struct sim_text json = sim_gltf_json(file, text, bytes), root;
     if (json.p == NULL || !sim_text_next(&json, NULL, &root))
         return;
-    names = sim_text_inside(sim_text_member(root, "extensionsRequired"));
-    for (struct sim_text name; sim_text_next(&names, NULL, &name);) {
-        int read = name.end - name.p < 2 || *name.p != '"';
-        for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
-            read |= sim_text_is(name, known[i]);
-        char plain[64];
-        const long n = name.end - name.p - 2;
-        (void)snprintf(plain, sizeof plain, "%.*s", (int)(n < 63 ? n : 63), name.p + 1);
-        if (!read)
-            sim_lose(lost, SIM_LOST_EXTENSION, plain);
+    const struct sim_text required = sim_text_member(root, "extensionsRequired");
+    const struct sim_text lists[2] = { required, sim_text_member(root, "extensionsUsed") };
+    for (int k = 0; k < 2; k++) {
+        struct sim_text names = sim_text_inside(lists[k]), name;
+        while (sim_text_next(&names, NULL, &name)) {
+            int read = !sim_text_begins(name, "") ||
+                       (k == 1 && (has(required, name) || !(sim_text_begins(name, "KHR_materials_") ||
+                                                            sim_text_is(name, "EXT_mesh_gpu_instancing"))));
+            for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+                read |= sim_text_is(name, known[i]);
+            char plain[64];
+            (void)snprintf(plain, sizeof plain, "%.*s", (int)(name.end - name.p < 65 ? name.end - name.p - 2 : 63),
+                           name.p + 1);
+            if (!read)
+                sim_lose(lost, SIM_LOST_EXTENSION, plain);
+        }
     }
 }
 

@@ -140,11 +140,14 @@ static int other_map(const struct word *w)
                   { "map_Ks", SIM_LOST_SPECULAR_MAP },   { "map_Ns", SIM_LOST_SPECULAR_MAP },
                   { "map_Ke", SIM_LOST_EMISSION_MAP },   { "map_Pr", SIM_LOST_METAL_MAP },
                   { "map_Pm", SIM_LOST_METAL_MAP },      { "map_Ka", SIM_LOST_OTHER_MAP },
-                  { "refl", SIM_LOST_OTHER_MAP },        { "decal", SIM_LOST_OTHER_MAP } };
+                  { "refl", SIM_LOST_OTHER_MAP },        { "decal", SIM_LOST_OTHER_MAP },
+                  { "map_disp", SIM_LOST_NORMAL_MAP },   { "map_norm", SIM_LOST_NORMAL_MAP },
+                  { "map_Kn", SIM_LOST_NORMAL_MAP },     { "map_opacity", SIM_LOST_OPACITY_MAP },
+                  { "map_Tr", SIM_LOST_OPACITY_MAP },    { "map_emissive", SIM_LOST_EMISSION_MAP } };
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (is(w, known[i].word))
             return 1 << known[i].kind;
-    return 0;
+    return w->n > 4 && strncasecmp(w->p, "map_", 4) == 0 && !is(w, "map_aat") ? 1 << SIM_LOST_OTHER_MAP : 0;
 }
 
 static void take_line(struct sim_mtl *mtl, const char *at, const char *end)

@@ -328,6 +328,8 @@ static int take_line(struct scan *s)
             status = take_texture(s);
         else if (token_is(&t, "f"))
             status = take_face(s);
+        else if (token_is(&t, "l") || token_is(&t, "p"))
+            s->obj->n_lines++;
         else if (token_is(&t, "mtllib"))
             (void)take_name(s, "mtllib", &s->vertices);
         else if (token_is(&t, "usemtl"))

@@ -43,6 +43,7 @@ struct element {
 
 struct ply {
     const char *file;
+    struct sim_lost *lost;
     const char *p, *end;
     unsigned long line;
     enum format format;
@@ -107,6 +108,10 @@ static int take_property(struct ply *s, char *word[], int n)
         p->role = ROLE_POSITION;
     if (strcmp(e->name, "face") == 0 && is_list && strncmp(name, "vertex_ind", 10) == 0)
         p->role = ROLE_INDICES;
+    if (strcmp(e->name, "vertex") == 0 && strcmp(name, "diffuse_red") == 0)
+        sim_lose(s->lost, SIM_LOST_COLORS, name);
+    if (strcmp(e->name, "face") == 0 && (strcmp(name, "red") == 0 || strcmp(name, "diffuse_red") == 0))
+        sim_lose(s->lost, SIM_LOST_COLORS, "of faces");
     return SIM_OK;
 }
 
@@ -303,10 +308,11 @@ static void skip_lines(struct ply *s, int rest)
     }
 }
 
-int sim_ply_check(const char *file, const char *text, size_t bytes)
+int sim_ply_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
 {
     struct ply *s = sim_alloc(1, sizeof *s);
     s->file = file;
+    s->lost = lost;
     s->p = text;
     s->end = text + bytes;
     s->line = 1;

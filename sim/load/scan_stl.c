@@ -47,10 +47,16 @@ static int check_vertices(const char *file, const char *text, size_t bytes)
     return SIM_OK;
 }
 
-int sim_stl_check(const char *file, const char *text, size_t bytes)
+int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
 {
     const uint64_t n = bytes >= 84 ? u32(text + 80) : 0;
-    if (bytes >= 84 && bytes == 84 + 50 * n)
+    const int binary = bytes >= 84 && bytes == 84 + 50 * n;
+    for (int i = 0; binary && i < 74; i++)
+        if (memcmp(text + i, "COLOR=", 6) == 0) { /* red and blue the other way round, and bit 15 too */
+            sim_lose(lost, SIM_LOST_COLORS, "of Materialise Magics");
+            break;
+        }
+    if (binary)
         return n > 0 ? SIM_OK : sim_refuse(file, 0, "no faces in it");
     if (!is_text(text, bytes)) {
         if (bytes < 84)

@@ -756,7 +756,70 @@ cmp -s want.png got.png || wrong 'a PLY with a picture of its own'
 begin extensions_that_a_gltf_requires
 sed '0,/{/s//{ "extensionsUsed": ["FOO_bar"], "extensionsRequired": ["KHR_texture_transform", "FOO_bar"],/' \
     gltf/balls.gltf >gltf/required.gltf
-said_of gltf/required.gltf 'glTF extension that the file requires (1, "FOO_bar")'
+said_of gltf/required.gltf 'glTF extension (1, "FOO_bar")'
+begin extensions_of_looks
+sed '0,/{/s//{ "extensionsUsed": ["KHR_materials_transmission", "EXT_mesh_gpu_instancing", "KHR_materials_unlit", "FOO_bar",'\
+'"KHR_materials_emissive_strength"], "extensionsRequired": ["KHR_materials_transmission"],/' gltf/balls.gltf >gltf/used.gltf
+said_of gltf/used.gltf 'glTF extension (3, the first "KHR_materials_transmission")'
+begin points_and_lines_of_an_obj
+printf "${tri}p 1 2\\nf 1 2 3\\nl 1 2 3\\nl 2 3\\n" >named/lines.obj
+said_of named/lines.obj 'points and lines (3)'
+begin maps_of_other_names
+printf 'newmtl a\nmap_refl r.png\nmap_disp d.png\nmap_opacity o.png\nmap_Ps s.png\nmap_emissive e.png\nmap_aat on\n' \
+    >named/maps.mtl
+printf "mtllib maps.mtl\\n${tri}usemtl a\\nf 1 2 3\\n" >named/maps.obj
+said_of named/maps.obj 'normal or height map (1, of material "a")' 'emission map (1, of material "a")' \
+    'opacity map (1, of material "a")' 'map of another kind (1, of material "a")'
+begin colours_in_another_form
+sed 's/^property list.*/&\nproperty uchar red\nproperty uchar green\nproperty uchar blue/; s/^3 0 1 2/& 255 0 0/' \
+    named/tri.ply >named/faces.ply
+said_of named/faces.ply 'colours in another form (1, "of faces")'
+sed 's/^property float z/&\nproperty uchar diffuse_red/; s/^[01] [01] 0$/& 255/' named/tri.ply >named/diffuse.ply
+said_of named/diffuse.ply 'colours in another form (1, "diffuse_red")'
+for head in 'OFF\n# it\n3 2 0' 'OFF 3 2 0' 'OFF # it\n\n3 2 0'; do
+    printf "$head\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n3 0 2 1 255 0 0\\n" >named/faces.off
+    case $head in OFF' '3*) z render named/faces.off --out o.png ;; *)
+        said_of named/faces.off 'colours in another form (1, "of faces")' ;; esac
+done
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 # red\n' >named/plain.off
+said_of named/plain.off
+stl() { # HEADER ATTRIBUTE...    a triangle for each
+    printf '%-80s' "$1" && shift && printf "\\00$#\\000\\000\\000"
+    for attribute; do
+        printf '\000\000\000\000\000\000\000\000\000\000\200\077' # normal 0 0 1; then corners 0 0 0, 1 0 0, 0 1 0
+        printf '\000\000\000\000\000\000\000\000\000\000\000\000\000\000\200\077\000\000\000\000\000\000\000\000'
+        printf "\\000\\000\\000\\000\\000\\000\\200\\077\\000\\000\\000\\000$attribute"
+    done
+}
+stl 'COLOR=abcd,MATERIAL=' '\037\000' >named/magics.stl
+said_of named/magics.stl 'colours in another form (1, "of Materialise Magics")'
+begin alpha_of_colours_that_have_none
+stl plain '\000\374' '\000\000' >named/half.stl
+said_of named/half.stl
+holds said/m.c '{255,0,0},{204,204,204}'
+colors='{"buffer":0,"byteLength":72}],"buffers":[{"byteLength":72,"uri":"data:application/octet-stream;base64,'
+{
+    printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":['
+    printf '{"attributes":{"POSITION":0,"COLOR_0":1}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,'
+    printf '"type":"VEC3"},{"bufferView":0,"byteOffset":36,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":['
+    printf '%s' "$colors"
+    { tail -c +97 named/magics.stl | head -c 36 && tail -c +97 named/magics.stl | head -c 36; } | base64 -w0
+    echo '"}]}'
+} >named/three.gltf
+said_of named/three.gltf
+begin masks_of_materials_that_have_alpha
+mask() { # ALPHA CUTOFF    of the first material
+    sed "s/\"pbrMetallicRoughness\":{/\"alphaMode\":\"MASK\",\"alphaCutoff\":$2,&\"baseColorFactor\":[1,1,1,$1],/" \
+        masked/balls.gltf >masked/mask.gltf
+}
+cp -r gltf masked
+cp looks/hole.png masked/red.png
+mask 0.8 0.5 # texels are drawn from 0.5 / 0.8 of 255 on
+convert look masked/mask.gltf
+holds look/m.c '.alpha_least = 159'
+said_of masked/mask.gltf
+mask 0.4 0.5
+said_of masked/mask.gltf 'opacity (1, of material "red __ paint")'
 begin names_of_gltf_are_uris
 bin=$(grep -o '"[^"]*\.bin"' gltf/balls.gltf | head -1 | tr -d '"')
 [ -n "$bin" ] || wrong 'no buffer beside it'

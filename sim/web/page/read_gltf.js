@@ -248,7 +248,7 @@ class Gltf {
                 color: base.slice(0, 3),
                 opacity: m.alphaMode === 'BLEND' ? base[3] : 1,
                 alpha: (m.alphaMode || 'OPAQUE').toLowerCase(),
-                alphaLeast: m.alphaCutoff ?? 0.5,
+                alphaLeast: (m.alphaCutoff ?? 0.5) / (base[3] || 1), // texels are times its alpha
                 twoSided: !!m.doubleSided,
                 saysAlpha: true,
                 textureFactor: base.slice(0, 3),
