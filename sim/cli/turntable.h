@@ -17,7 +17,8 @@
 int sim_turntable_view(struct sim_options *out, const struct sim_options *o,
                        const struct sim_model *model, uint32_t k, uint32_t n);
 
-/* All n frames. lost: [SIM_LOST_KINDS], what of the model is not in them; may be NULL. sim_turntable_free in any case. */
+/* All n frames. lost: [SIM_LOST_KINDS], what of the model is not in them; may be NULL. sim_turntable_free in any
+ * case. */
 int sim_turntable_draw(struct sim_moving *m, struct sim_lost *lost, const struct sim_options *o,
                        const struct sim_model *model, uint32_t n);
 void sim_turntable_free(struct sim_moving *m);

@@ -4,6 +4,7 @@
  */
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "scan.h"
 #include "sim.h"
@@ -58,6 +59,12 @@ int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, siz
         }
     if (binary)
         return n > 0 ? SIM_OK : sim_refuse(file, 0, "no faces in it");
+    const size_t mark = bytes >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    if (mark > 0 && is_text(text + mark, bytes - mark))
+        return sim_refuse(file, 0, "begins with a UTF-8 byte order mark; save it without one, as by tail -c +4");
+    if (!is_text(text, bytes) && strncasecmp(text + mark, "solid", 5) == 0 && memchr(text, '\0', bytes) == NULL)
+        return sim_refuse(file, 0, "its words are not in small letters (`%.5s`); write them so, as by tr A-Z a-z",
+                          text + mark);
     if (!is_text(text, bytes)) {
         if (bytes < 84)
             return sim_refuse(file, 0, "cut off: %zu bytes are no STL file; get the whole file",

@@ -698,6 +698,10 @@ sed -e 's/element face 1/element face 0/' -e '$d' quad_ascii.ply >points.ply
 refused no_faces_ply 'no faces' points.ply
 printf 'solid x\nendsolid x\n' >points.stl
 refused no_faces_stl 'no faces' points.stl
+tr a-z A-Z <quad_ascii.stl >capitals.stl
+refused capitals_stl 'its words are not in small letters (`SOLID`); write them so, as by tr A-Z a-z' capitals.stl
+{ printf '\357\273\277' && cat quad_ascii.stl; } >mark.stl
+refused byte_order_mark_stl 'begins with a UTF-8 byte order mark; save it without one, as by tail -c +4' mark.stl
 for model in quad.obj quad_ascii.ply quad_ascii.stl quad.gltf; do
     iconv -f UTF-8 -t UTF-16 $model >"wide.${model##*.}"
     refused "utf16_${model##*.}" 'is UTF-16 text; save it as UTF-8' "wide.${model##*.}"

@@ -305,7 +305,8 @@ printf '%s\n' 'newmtl red' 'Kd 1 0 0' 'newmtl blue' 'Kd 0 0 1' >two.mtl
 { half -50 0 && half 0 50 && printf '%s\n' 'mtllib two.mtl' 'f 1 2 3 4' 'usemtl red' 'f 5 6 7 8'; } >first.obj
 halves first.obj $grey ff0000
 begin obj_mtllib_behind_usemtl
-{ half -50 0 && half 0 50 && printf '%s\n' 'usemtl blue' 'f 1 2 3 4' 'mtllib two.mtl' 'usemtl red' 'f 5 6 7 8'; } >last.obj
+{ half -50 0 && half 0 50 &&
+    printf '%s\n' 'usemtl blue' 'f 1 2 3 4' 'mtllib two.mtl' 'usemtl red' 'f 5 6 7 8'; } >last.obj
 halves last.obj 0000ff ff0000
 
 begin off_colours_of_whole_numbers
@@ -322,8 +323,8 @@ halves whole.off ff0000 008242
 # ---- glTF's colours of vertices: times the material's
 begin gltf_colours_of_vertices
 colored() { # FACTOR EMISSION COMPONENTS    a quad whose vertices are ff8040
-    printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":['
-    printf '{"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"material":0}]}],"materials":[{"name":"M",'
+    printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{'
+    printf '"primitives":[{"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"material":0}]}],"materials":[{"name":"M",'
     printf '"emissiveFactor":[%s],"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1,' "$2"
     printf '"baseColorFactor":[%s,1]}}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":80,' "$1"
     printf '"byteLength":12},{"buffer":0,"byteOffset":92,"byteLength":16,"byteStride":4}],"accessors":['
@@ -347,8 +348,9 @@ five='\062\000' minus='\316\377' # 50, -50
     printf '\000\377zz\377\377zz\377\000zz\000\000zz\000\000\001\000\002\000\000\000\002\000\003\000'
 } >small.bin
 quad_of() { # BUFFER POSITION TEXCOORD    types of these
-    printf '{"asset":{"version":"2.0"},"extensionsRequired":["KHR_mesh_quantization"],"scene":0,"scenes":[{"nodes":[0]}],'
-    printf '"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2},'
+    printf '{"asset":{"version":"2.0"},"extensionsRequired":["KHR_mesh_quantization"],"scene":0,'
+    printf '"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{'
+    printf '"attributes":{"POSITION":0,"TEXCOORD_0":2},'
     printf '"indices":1,"material":0}]}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],'
     printf '"textures":[{"source":0}],"images":[{"uri":"four.png"}],"bufferViews":[{"buffer":0,"byteLength":32,'
     printf '"byteStride":8},{"buffer":0,"byteOffset":48,"byteLength":12},{"buffer":0,"byteOffset":32,"byteLength":16,'

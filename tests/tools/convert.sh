@@ -758,8 +758,10 @@ sed '0,/{/s//{ "extensionsUsed": ["FOO_bar"], "extensionsRequired": ["KHR_textur
     gltf/balls.gltf >gltf/required.gltf
 said_of gltf/required.gltf 'glTF extension (1, "FOO_bar")'
 begin extensions_of_looks
-sed '0,/{/s//{ "extensionsUsed": ["KHR_materials_transmission", "EXT_mesh_gpu_instancing", "KHR_materials_unlit", "FOO_bar",'\
-'"KHR_materials_emissive_strength"], "extensionsRequired": ["KHR_materials_transmission"],/' gltf/balls.gltf >gltf/used.gltf
+used='"KHR_materials_transmission", "EXT_mesh_gpu_instancing", "KHR_materials_unlit", "FOO_bar"'
+used="$used, \"KHR_materials_emissive_strength\""
+sed "0,/{/s//{ \"extensionsUsed\": [$used], \"extensionsRequired\": [\"KHR_materials_transmission\"],/" \
+    gltf/balls.gltf >gltf/used.gltf
 said_of gltf/used.gltf 'glTF extension (3, the first "KHR_materials_transmission")'
 begin points_and_lines_of_an_obj
 printf "${tri}p 1 2\\nf 1 2 3\\nl 1 2 3\\nl 2 3\\n" >named/lines.obj
@@ -799,10 +801,10 @@ said_of named/half.stl
 holds said/m.c '{255,0,0},{204,204,204}'
 colors='{"buffer":0,"byteLength":72}],"buffers":[{"byteLength":72,"uri":"data:application/octet-stream;base64,'
 {
-    printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":['
-    printf '{"attributes":{"POSITION":0,"COLOR_0":1}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,'
-    printf '"type":"VEC3"},{"bufferView":0,"byteOffset":36,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":['
-    printf '%s' "$colors"
+    printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{'
+    printf '"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,'
+    printf '"type":"VEC3"},{"bufferView":0,"byteOffset":36,"componentType":5126,"count":3,"type":"VEC3"}],'
+    printf '"bufferViews":[%s' "$colors"
     { tail -c +97 named/magics.stl | head -c 36 && tail -c +97 named/magics.stl | head -c 36; } | base64 -w0
     echo '"}]}'
 } >named/three.gltf

@@ -167,8 +167,8 @@ static void quad_with_a_notch(void **state)
     }
 }
 
-/* Corners on straight sides, the first one among them or beside the first: a triangle without an area leaves a gap where
- * the neighbour has that corner. */
+/* Corners on straight sides, from each corner on: a triangle without an area would leave a gap where the neighbour has
+ * that corner. */
 static void straight_sides(void **state)
 {
     (void)state;

@@ -79,7 +79,18 @@ function readText(name, text, corners) {
 
 /** Read an STL. @param {string} name @param {Uint8Array} bytes @return what engine.setModel takes */
 export function readStl(name, bytes) {
-    const corners = new Corners();
+    const corners = new Corners(),
+        head = String.fromCharCode(...bytes.subarray(0, 8)),
+        plain = /^\xef\xbb\xbf/.test(head) ? bytes.subarray(3) : bytes;
+    if (plain !== bytes && isText(plain))
+        throw new BadModel(name, 0, 'begins with a UTF-8 byte order mark; save it without one, as by tail -c +4');
+    const word = head.replace(/^\xef\xbb\xbf/, '').slice(0, 5);
+    if (!isText(bytes) && /^solid$/i.test(word) && !bytes.includes(0))
+        throw new BadModel(
+            name,
+            0,
+            `its words are not in small letters (\`${word}\`); write them so, as by tr A-Z a-z`,
+        );
     if (isText(bytes)) readText(name, new TextDecoder().decode(bytes), corners);
     else if (bytes.length >= 84) readBinary(name, bytes, corners);
     else throw new BadModel(name, 0, `cut off: ${bytes.length} bytes are no STL file; get the whole file`);
