@@ -174,6 +174,15 @@ static int take_accessor(struct gltf *g, struct sim_text a, struct sim_text attr
     return SIM_OK;
 }
 
+/* Does one of a list name what is not there yet, and would be once a view and a buffer are added? */
+static int names_missing(const struct list *list, const char *what, size_t n)
+{
+    for (size_t i = 0; i < list->n; i++)
+        if (number(list->item[i], what, 0) >= n)
+            return 1;
+    return 0;
+}
+
 /* What meshes use each accessor for: a string, or none. */
 static struct sim_text *find_uses(const struct gltf *g)
 {
@@ -279,6 +288,9 @@ int sim_gltf_floats(const char *file, char **text, size_t *bytes, sim_gltf_read 
     for (size_t i = 0; status == SIM_OK && i < g.accessors.n; i++)
         if (use[i].p != NULL)
             status = take_accessor(&g, g.accessors.item[i], use[i], edit, &n);
+    if (status == SIM_OK && n > 0 &&
+        (names_missing(&g.accessors, "bufferView", g.views.n) || names_missing(&g.views, "buffer", g.buffers.n)))
+        status = sim_refuse(file, 0, "it names parts that are not there; export the model again");
     if (status == SIM_OK && n > 0)
         rewrite(&g, edit, n, text, bytes);
     for (size_t i = 0; i < n; i++)

@@ -1,14 +1,16 @@
 /* A libFuzzer target: the readers that look model files through before assimp does. The first byte chooses: o OBJ, m
- * MTL, p PLY, s STL; the rest is the file.
+ * MTL, p PLY, s STL, f OFF, g glTF, b a .glb; the rest is the file.
  *
  *   what is refused is refused with one line that names the file, and nothing is kept
  *   an OBJ file that passes names only points and texture coordinates that there are, and its cleaned text passes again
  *   with the same faces
+ *   a glTF file whose integers became floats has none that would
  *
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
 
+#include "gltf_floats.h"
 #include "scan.h"
 #include "sim.h"
 #include "target.h"
@@ -21,7 +23,11 @@ const char *const target_words[] = {
     "format ascii 1.0\n", "format binary_little_endian 1.0\n", "format binary_big_endian 1.0\n", "element vertex ",
     "element face ", "property list uchar int vertex_indices\n", "property float x\n", "property double y\n",
     "property list uint8 uint32 vertex_index\n", "property list double char c\n", "end_header\n", "comment ",
-    "solid ", "facet normal 0 0 1", "outer loop", "vertex ", "endloop", "endfacet", "endsolid", NULL
+    "solid ", "facet normal 0 0 1", "outer loop", "vertex ", "endloop", "endfacet", "endsolid", "{}", "[]",
+    "\"meshes\":[", "\"primitives\":[", "\"attributes\":{", "\"POSITION\":0", "\"TEXCOORD_0\":1", "\"accessors\":[",
+    "\"bufferViews\":[", "\"buffers\":[", "\"bufferView\":0", "\"buffer\":0", "\"componentType\":5122",
+    "\"count\":1", "\"type\":\"VEC2\"", "\"byteOffset\":", "\"byteStride\":", "\"sparse\":",
+    "\"normalized\":true", "\"uri\":\"data:,", NULL
 };
 
 size_t target_seed(uint32_t k, uint8_t *to, size_t room)
@@ -109,14 +115,44 @@ static void mtl(const char *text, size_t bytes)
     sim_mtl_free(&m);
 }
 
-static void check(int (*fn)(const char *, const char *, size_t), const char *file, const char *text, size_t bytes)
+static void check(int (*fn)(struct sim_lost *, const char *, const char *, size_t), const char *file, const char *text,
+                  size_t bytes)
 {
     static struct said said;
+    struct sim_lost lost[SIM_LOST_KINDS] = { { 0 } };
     said_begin(&said);
-    const int status = fn(file, text, bytes);
+    const int status = fn(lost, file, text, bytes);
     said_end(&said);
     EXPECT(status == SIM_OK || status == SIM_REFUSED);
     EXPECT(said.lines == (status != SIM_OK) && (status == SIM_OK || strstr(said.text, file)));
+}
+
+static char *no_file(const char *path, size_t *bytes)
+{
+    (void)path, (void)bytes;
+    return NULL;
+}
+
+static int floats(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
+{
+    size_t n = bytes;
+    char *own = ended((const uint8_t *)text, bytes);
+    sim_gltf_extensions(lost, file, text, bytes);
+    const int status = sim_gltf_floats(file, &own, &n, no_file);
+    size_t twice = n;
+    EXPECT(status == SIM_OK || n == bytes);
+    if (status == SIM_OK && n != bytes)
+        EXPECT(sim_gltf_floats(file, &own, &twice, no_file) == SIM_OK && twice == n);
+    free(own);
+    return status;
+}
+
+static int off(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
+{
+    (void)file;
+    sim_off_look(lost, text, bytes);
+    EXPECT(lost[SIM_LOST_COLORS].n <= 1);
+    return SIM_OK;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -130,6 +166,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     case 'm': mtl(text, bytes); break;
     case 'p': check(sim_ply_check, "x.ply", text, bytes); break;
     case 's': check(sim_stl_check, "x.stl", text, bytes); break;
+    case 'f': check(off, "x.off", text, bytes); break;
+    case 'g': check(floats, "x.gltf", text, bytes); break;
+    case 'b': check(floats, "x.glb", text, bytes); break;
     default: break;
     }
     free(text);
