@@ -324,10 +324,11 @@ halves whole.off ff0000 008242
 begin gltf_colours_of_vertices
 colored() { # FACTOR EMISSION COMPONENTS    a quad whose vertices are ff8040
     printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{'
-    printf '"primitives":[{"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"material":0}]}],"materials":[{"name":"M",'
-    printf '"emissiveFactor":[%s],"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1,' "$2"
-    printf '"baseColorFactor":[%s,1]}}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":80,' "$1"
-    printf '"byteLength":12},{"buffer":0,"byteOffset":92,"byteLength":16,"byteStride":4}],"accessors":['
+    printf '"primitives":[{"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"material":0}]}],'
+    printf '"materials":[{"name":"M","emissiveFactor":[%s],"pbrMetallicRoughness":{' "$2"
+    printf '"metallicFactor":0,"roughnessFactor":1,"baseColorFactor":[%s,1]}}],"bufferViews":[' "$1"
+    printf '{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":80,"byteLength":12},'
+    printf '{"buffer":0,"byteOffset":92,"byteLength":16,"byteStride":4}],"accessors":['
     printf '{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},'
     printf '{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},{"bufferView":2,"componentType":5121,'
     printf '"normalized":true,"count":4,"type":"VEC%s"}],"buffers":[{"uri":"colored.bin","byteLength":108}]}\n' "$3"

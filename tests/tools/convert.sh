@@ -802,8 +802,9 @@ holds said/m.c '{255,0,0},{204,204,204}'
 colors='{"buffer":0,"byteLength":72}],"buffers":[{"byteLength":72,"uri":"data:application/octet-stream;base64,'
 {
     printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{'
-    printf '"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,'
-    printf '"type":"VEC3"},{"bufferView":0,"byteOffset":36,"componentType":5126,"count":3,"type":"VEC3"}],'
+    printf '"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1}}]}],"accessors":['
+    printf '{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},'
+    printf '{"bufferView":0,"byteOffset":36,"componentType":5126,"count":3,"type":"VEC3"}],'
     printf '"bufferViews":[%s' "$colors"
     { tail -c +97 named/magics.stl | head -c 36 && tail -c +97 named/magics.stl | head -c 36; } | base64 -w0
     echo '"}]}'
