@@ -180,6 +180,12 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
         printf("  the program     %8ld\n", rq->app_ram);
     printf("  together        %8.0f  M0+ %.0f\n", r->total[BUDGET_M3] + (double)rq->app_ram,
            r->total[BUDGET_M0] + (double)rq->app_ram);
+    if (target_of(rq).core != SIM_CORE_RP2040)
+        return;
+    printf("  code in RAM     %8u  the RP2040's: what draws, HAL, a line of text, libgcc and libc are copied there\n",
+           r->code);
+    printf("  stack, reserved %8u  more than the worst case, up to the 4096 of pico.ld\n", r->reserved);
+    printf("  on the RP2040   %8.0f\n", budget_ram_on(r, SIM_CORE_RP2040) + (double)rq->app_ram);
 }
 
 static void print_flash(const struct budget_request *rq, const struct budget *b)
@@ -377,6 +383,8 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
         { "watch", r->watch },       { "track", r->track },     { "flash_zstrip", f->zstrip },
             { "flash_library", f->library },
         { "flash_panel", f->panel }, { "flash_data", f->data },
+        { "code_in_ram", to.core == SIM_CORE_RP2040 ? r->code : 0u },
+        { "stack_reserved", to.core == SIM_CORE_RP2040 ? r->reserved : 0u },
     };
     struct budget_figure figure[FIGURES_MAX];
     const size_t n = figures_of(figure, rq, b, elf);

@@ -65,6 +65,7 @@ struct budget_ram {
     uint32_t renderer, scene, panel, scratch, watch, track;                 /* statics beside it */
     uint32_t fixed;                                                         /* the sum of those */
     uint32_t stack[BUDGET_CPUS], total[BUDGET_CPUS];
+    uint32_t code, reserved; /* of the RP2040 besides, budget_ram_code: code in RAM, stack beyond the worst case */
 };
 
 struct budget_flash {
@@ -90,6 +91,7 @@ struct budget {
     uint32_t samples; /* a pixel, 4; 0: one */
     int states;   /* flag: some instance has one */
     int guessed;  /* flag: counted is from numbers, not from a frame */
+    int effects;  /* flag: some material has a shader of effect/ */
     const struct sim_method *method; /* how hidden surfaces are removed */
 };
 
@@ -98,6 +100,10 @@ enum budget_cpu budget_cpu_of(enum sim_core core);
 /* Pools and statics of b->config. */
 void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const struct zs_config *config,
                 uint32_t n_instances);
+/* What the RP2040 has in RAM besides, of pools and statics that are known (firmware/boards/pico/pico.ld). */
+void budget_ram_code(struct budget_ram *ram, const struct budget_request *rq, const struct budget *b);
+/* All of it on a core. */
+double budget_ram_on(const struct budget_ram *ram, enum sim_core core);
 void budget_flash(struct budget_flash *flash, const struct budget_request *rq, const struct budget *b,
                   enum budget_cpu cpu);
 /* SIM_OK; SIM_REFUSED. Needs rq->o.panel.name. */

@@ -86,6 +86,49 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
     flash->total = flash->zstrip + flash->library + flash->panel + flash->data;
 }
 
+/* ---- Code in RAM -------------------------------------------------------------------------------- */
+
+/* pico.ld copies what draws to RAM: of the renderer all but cameras and checks, the HAL, the panel's driver, libgcc and
+ * libc. It is more than the flash on record, which is of -O2: the Pico's is compiled with -O3, and for the RP2040's
+ * divider and lanes. Bytes more, the most of 30 programs of one shader, several and all; tests/tools/budget.sh compares
+ * images with the sum. */
+enum {
+    CODE_HAL = 5600,     /* the HAL, veneers, clusters' accelerator; -O3 of what all share */
+    CODE_SMOOTH = 3800,  /* where colours are interpolated, ... */
+    CODE_TEXTURE = 6500, /* ... and texels: the lanes' own loops */
+    CODE_TEXT = 4300,    /* a line of text with its font, as of main.c of zsim new */
+    CODE_EFFECTS = 8192, /* of materials with effects, the most */
+    HAL_STATICS = 300,   /* its output, flags, SPI */
+    STACK_RESERVED = 4096
+};
+
+static uint32_t method_code(const struct budget *b)
+{
+    static const struct {
+        const char *name;
+        uint32_t bytes;
+    } of[] = { { "hiz", 3700 }, { "depthsort", 9700 }, { "coverage", 10100 }, { "raycast", 6800 } };
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++)
+        if (strcmp(b->method->name, of[i].name) == 0)
+            return of[i].bytes;
+    return 0;
+}
+
+void budget_ram_code(struct budget_ram *ram, const struct budget_request *rq, const struct budget *b)
+{
+    struct budget_flash flash;
+    budget_flash(&flash, rq, b, BUDGET_M0);
+    ram->code = flash.zstrip + flash.library + flash.panel + CODE_HAL + CODE_TEXT + HAL_STATICS + method_code(b) +
+                (b->shades & 4u ? CODE_SMOOTH : 0u) + (b->shades & 56u ? CODE_TEXTURE : 0u) +
+                (b->effects ? CODE_EFFECTS : 0u);
+    ram->reserved = STACK_RESERVED > ram->stack[BUDGET_M0] ? STACK_RESERVED - ram->stack[BUDGET_M0] : 0u;
+}
+
+double budget_ram_on(const struct budget_ram *ram, enum sim_core core)
+{
+    return ram->total[budget_cpu_of(core)] + (core == SIM_CORE_RP2040 ? (double)ram->code + ram->reserved : 0.0);
+}
+
 /* ---- The wire ----------------------------------------------------------------------------------- */
 
 /* A frame of the picture's size through the driver, into the model of the controller, which counts. */
@@ -120,6 +163,7 @@ int budget_take(struct budget *b, const struct budget_request *rq)
     budget_ram(&b->ram, rq, &b->config, b->n_instances);
     for (int c = 0; c < BUDGET_CPUS; c++)
         budget_flash(&b->flash[c], rq, b, (enum budget_cpu)c);
+    budget_ram_code(&b->ram, rq, b);
     b->has_wire = rq->o.panel.name != NULL;
     struct zs_config sent = b->config; /* what the panel gets */
     if (b->samples > 1) {

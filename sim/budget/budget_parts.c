@@ -101,7 +101,8 @@ static double left(const struct budget_request *rq, const struct budget *b, cons
     c.max_tris = (uint16_t)tris;
     c.max_verts = (uint16_t)verts;
     budget_ram(&ram, rq, &c, b->n_instances);
-    return (double)part->ram - (double)ram.total[budget_cpu_of(part->core)] - (double)rq->app_ram;
+    budget_ram_code(&ram, rq, b);
+    return (double)part->ram - budget_ram_on(&ram, part->core) - (double)rq->app_ram;
 }
 
 static long verts_for(const struct budget *b, long tris)

@@ -199,6 +199,15 @@ static int refuse_scene(const char *name)
     return sim_refuse(NULL, 0, "--scene %s: there is no such scene; there are %s", name, names);
 }
 
+/* Is there a shader of effect/? */
+static int has_effects(const struct zs_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->n_instances; i++)
+        if (shade_bit(scene->instance[i].material->shader) == 0)
+            return 1;
+    return 0;
+}
+
 static int of_demo(struct budget *b, const struct budget_request *rq)
 {
     const struct demo *d = sim_demo_named(rq->scene);
@@ -215,17 +224,10 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
     struct sim_drawn_scene drawn = { .pass = piece != NULL && piece->n_passes > 0 ? piece->pass : &whole,
                                      .passes = piece != NULL && piece->n_passes > 0 ? piece->n_passes : 1u };
     const int status = count_scene(b, rq, d->name, &drawn);
+    for (uint32_t k = 0; k < drawn.passes; k++)
+        b->effects |= has_effects(drawn.pass[k].scene);
     free(f);
     return status;
-}
-
-/* Is there a shader of effect/? */
-static int has_effects(const struct zs_scene *scene)
-{
-    for (uint32_t i = 0; i < scene->n_instances; i++)
-        if (shade_bit(scene->instance[i].material->shader) == 0)
-            return 1;
-    return 0;
 }
 
 struct counting {
@@ -252,7 +254,8 @@ static int count_drawn(void *ctx, const struct sim_drawn_scene *d)
     if (d->samples > 1)
         sim_effects_add_samples(&b->counted, (double)c->width * c->height / (double)d->samples);
     b->data = (uint32_t)d->data_bytes;
-    if (status == SIM_OK && has_effects(d->scene) && !of->rq->quiet)
+    b->effects = has_effects(d->scene);
+    if (status == SIM_OK && b->effects && !of->rq->quiet)
         (void)fprintf(stderr,
                       "%s: %s: the code of materials with transparency, highlights or emission is not in the flash; "
                       "%s\n",

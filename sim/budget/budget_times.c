@@ -68,7 +68,7 @@ void budget_totals(struct budget_totals *t, const struct budget_request *rq, con
                    double mhz, double wire)
 {
     const enum budget_cpu cpu = budget_cpu_of(core);
-    t->ram = b->ram.total[cpu] + (double)rq->app_ram;
+    t->ram = budget_ram_on(&b->ram, core) + (double)rq->app_ram;
     t->flash = b->flash[cpu].total + (double)rq->app_flash;
     t->draw_ms = mhz > 0.0 ? budget_cycles(rq, b, core) / (mhz * 1e3) : (double)NAN;
     t->fps_single = 1e3 / (t->draw_ms + wire);

@@ -205,7 +205,7 @@ static void print(const struct request *rq, const struct sim_model *model, const
     for (size_t i = 0; i < BUDGET_USUAL_PARTS; i++) {
         const struct budget_part *p = budget_part_named(budget_usual_parts[i]);
         const enum budget_cpu cpu = budget_cpu_of(p->core);
-        const int ram = b->ram.total[cpu] > p->ram, flash = b->flash[cpu].total > p->flash;
+        const int ram = budget_ram_on(&b->ram, p->core) > p->ram, flash = b->flash[cpu].total > p->flash;
         printf("  %-14s %9.1f frames a second at %.0f MHz, estimated%s%s%s%s\n", p->name,
                1e6 * p->mhz / f->cycles[i], p->mhz, ram || flash ? "; it has too little " : "",
                ram ? "RAM" : "", ram && flash ? " and " : "", flash ? "flash" : "");

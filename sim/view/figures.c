@@ -66,7 +66,8 @@ void view_figures_count(struct view_figures *f, const struct view_shot *shot)
         f->fps[i] = 1e6 * p->mhz / budget_cycles(rq, b, p->core);
         if (isfinite(f->fps[i]))
             f->error = fmax(f->error, ceil(budget_error(b, p->core)));
-        f->too_small[i] = b->ram.total[cpu] > p->ram || (budget_of_all(rq) && b->flash[cpu].total > p->flash);
+        f->too_small[i] = budget_ram_on(&b->ram, p->core) > p->ram ||
+                          (budget_of_all(rq) && b->flash[cpu].total > p->flash);
     }
     SIM_FREE(rq, b);
 }

@@ -340,6 +340,43 @@ budget --fit nrf51822 --panel ssd1306:128x64 --strip 8 --app-ram 1200 --csv
 less=$((last_most - $(csv fit_tris)))
 is "1,200 bytes are up to 100 triangles less, and their vertices" $((less < 100 && less > 40)) 1
 
+# Code in RAM: what an image of the Pico takes is never more than was said, and not much less
+z render tri.obj --size 64x64 --background 4060c0 --out skin.png
+printf 'newmtl skin\nmap_Kd skin.png\n' >skin.mtl
+corners='vn 0 0 1 vn 1 0 1 vn 0 1 1 vt 0 0 vt 1 0 vt 0 1'
+corners=$(echo "$corners" | sed 's/ v/\nv/g')
+cp tri.obj flat.obj
+{ printf '%s\n' "$corners"; sed 's|^f .*|f 1//1 2//2 3//3|' tri.obj; } >smooth.obj
+{ printf 'mtllib skin.mtl\nusemtl skin\n%s\n' "$corners"; sed 's|^f .*|f 1/1/1 2/2/2 3/3/3|' tri.obj; } >textured.obj
+image() { # NAME    RAM of a project's image for the Pico; its pools in $tris and $verts
+    z new "$1.obj" --board pico --out "$1"
+    [ $status -eq 0 ] || wrong "$1: $(said)"
+    tris=$(sed -n 's/^#define TRIS \([0-9]*\).*/\1/p' "$1/main.c")
+    verts=$(sed -n 's/^#define VERTS \([0-9]*\).*/\1/p' "$1/main.c")
+    make -s --no-print-directory -C flat/zstrip -f firmware/boards/firmware.mk B="$work/pico" NAME="$1" BOARD=pico image \
+        APP_SRC="$work/$1/main.c $work/$1/display.c $work/$1/model.c" >image.txt 2>&1 || wrong "$(tail -3 image.txt)"
+    ram=$(sed -n 's/.*, RAM \([0-9]*\) of .*/\1/p' image.txt)
+}
+begin ram_of_an_image_is_never_more_than_was_said
+for kind in flat smooth textured; do
+    image $kind
+    set -- $kind.obj --panel st7789:240x240 --strip 24 --tris "$tris" --verts "$verts"
+    budget "$@" --part rp2040 --csv
+    awk -v image="${ram:-0}" -v said="$(csv ram)" 'BEGIN { exit !(image > 0 && said >= image && said < image * 1.08) }' ||
+        wrong "$kind: an image takes $ram bytes, $(csv ram) are said"
+    is "left of $kind" "$(csv ram_left)" $((264 * 1024 - $(csv ram)))
+    all=$(csv ram) code=$(csv code_in_ram) left=$(csv ram_left)
+    budget "$@" --part rp2040
+    is "code in RAM in the report" "$(sed -n 's/^  code in RAM *\([0-9]*\) .*/\1/p' stdout)" "$code"
+    is "all of it there" "$(sed -n 's/^  on the RP2040 *\([0-9]*\)$/\1/p' stdout)" "$all"
+    budget "$@"
+    is "left in the table of parts" "$(awk '$1 == "rp2040" { print $4 }' stdout)" "$left"
+    grep -q 'code in RAM' stdout && wrong 'of no part, code in RAM is said'
+    note="$note${note:+, }$kind: image $ram, said $all"
+done
+budget --core M0 --csv
+is "no code in RAM on another core" "$(csv code_in_ram)$(csv stack_reserved)" 00
+
 # ---- Limits -------------------------------------------------------------------------------------------------------
 limits() { # LINE...
     printf '%s\n' "$@" >limits
