@@ -353,8 +353,9 @@ image() { # NAME    RAM of a project's image for the Pico; its pools in $tris an
     [ $status -eq 0 ] || wrong "$1: $(said)"
     tris=$(sed -n 's/^#define TRIS \([0-9]*\).*/\1/p' "$1/main.c")
     verts=$(sed -n 's/^#define VERTS \([0-9]*\).*/\1/p' "$1/main.c")
-    make -s --no-print-directory -C flat/zstrip -f firmware/boards/firmware.mk B="$work/pico" NAME="$1" BOARD=pico image \
-        APP_SRC="$work/$1/main.c $work/$1/display.c $work/$1/model.c" >image.txt 2>&1 || wrong "$(tail -3 image.txt)"
+    make -s --no-print-directory -C flat/zstrip -f firmware/boards/firmware.mk BOARD=pico image B="$work/pico" \
+        NAME="$1" APP_SRC="$work/$1/main.c $work/$1/display.c $work/$1/model.c" >image.txt 2>&1 ||
+        wrong "$(tail -3 image.txt)"
     ram=$(sed -n 's/.*, RAM \([0-9]*\) of .*/\1/p' image.txt)
 }
 begin ram_of_an_image_is_never_more_than_was_said
@@ -362,7 +363,8 @@ for kind in flat smooth textured; do
     image $kind
     set -- $kind.obj --panel st7789:240x240 --strip 24 --tris "$tris" --verts "$verts"
     budget "$@" --part rp2040 --csv
-    awk -v image="${ram:-0}" -v said="$(csv ram)" 'BEGIN { exit !(image > 0 && said >= image && said < image * 1.08) }' ||
+    awk -v image="${ram:-0}" -v said="$(csv ram)" \
+        'BEGIN { exit !(image > 0 && said >= image && said < image * 1.08) }' ||
         wrong "$kind: an image takes $ram bytes, $(csv ram) are said"
     is "left of $kind" "$(csv ram_left)" $((264 * 1024 - $(csv ram)))
     all=$(csv ram) code=$(csv code_in_ram) left=$(csv ram_left)
