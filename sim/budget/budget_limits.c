@@ -95,33 +95,34 @@ static uint32_t half(const uint8_t *p)
     return p[0] | (uint32_t)p[1] << 8;
 }
 
-/* Sections that take room: with bytes in the file, in flash, and in RAM too where they are written; without, in RAM. */
-static int add_sections(FILE *f, uint32_t at, uint32_t size, uint32_t n, double *flash, double *ram)
+/* Segments that are loaded: what lies in the file takes flash. What runs elsewhere than it is stored, such as code that
+ * is copied at the start, what is written, and zeros take RAM. */
+static int add_segments(FILE *f, uint32_t at, uint32_t size, uint32_t n, double *flash, double *ram)
 {
-    enum { TYPE = 4, FLAGS = 8, BYTES = 20, NOBITS = 8, WRITE = 1, ALLOC = 2, HEADER = 40 };
+    enum { RUNS_AT = 8, STORED_AT = 12, STORED = 16, BYTES = 20, FLAGS = 24, LOAD = 1, WRITE = 2, HEADER = 32 };
     uint8_t s[HEADER];
     for (uint32_t i = 0; i < n; i++) {
         if (fseek(f, (long)(at + i * size), SEEK_SET) || fread(s, HEADER, 1, f) != 1)
             return 0;
-        if (!(word(s + FLAGS) & ALLOC))
+        if (word(s) != LOAD)
             continue;
-        const int empty = word(s + TYPE) == NOBITS;
-        *flash += empty ? 0.0 : word(s + BYTES);
-        *ram += empty || (word(s + FLAGS) & WRITE) ? word(s + BYTES) : 0.0;
+        const int in_ram = word(s + RUNS_AT) != word(s + STORED_AT) || (word(s + FLAGS) & WRITE);
+        *flash += word(s + STORED);
+        *ram += (double)word(s + BYTES) - (in_ram ? 0.0 : word(s + STORED));
     }
-    return 1;
+    return n > 0;
 }
 
 int budget_elf(const char *file, double *flash, double *ram)
 {
-    enum { HEADER = 52, SECTIONS = 32, SECTION_BYTES = 46, N_SECTIONS = 48 };
+    enum { HEADER = 52, SEGMENTS = 28, SEGMENT_BYTES = 42, N_SEGMENTS = 44 };
     uint8_t h[HEADER];
     FILE *f = fopen(file, "rb");
     *flash = *ram = 0.0;
     if (!f)
         return sim_refuse(file, 0, "--elf: cannot be read");
-    const int ok = fread(h, HEADER, 1, f) == 1 && memcmp(h, "\177ELF\1\1", 6) == 0 && half(h + SECTION_BYTES) >= 40 &&
-                   add_sections(f, word(h + SECTIONS), half(h + SECTION_BYTES), half(h + N_SECTIONS), flash, ram);
+    const int ok = fread(h, HEADER, 1, f) == 1 && memcmp(h, "\177ELF\1\1", 6) == 0 && half(h + SEGMENT_BYTES) >= 32 &&
+                   add_segments(f, word(h + SEGMENTS), half(h + SEGMENT_BYTES), half(h + N_SEGMENTS), flash, ram);
     (void)fclose(f);
     return ok ? SIM_OK :
         sim_refuse(file, 0, "--elf: no linked program of a 32-bit little-endian core; give the .elf that is flashed");

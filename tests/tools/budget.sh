@@ -422,9 +422,20 @@ END
 want=$("${ARM}size" -B tiny.elf | awk 'NR == 2 { print $1 + $2, $2 + $3 }')
 budget --part lm3s6965 --elf tiny.elf --csv
 is "flash and RAM" "$(csv flash) $(csv ram)" "$want"
+"${ARM}gcc" -mcpu=cortex-m3 -mthumb -O1 -c tiny.c -o tiny.o
+z budget --elf tiny.o
+one_line 1 'tiny.o: --elf: no linked program'
 limits 'ram = 4399' # 4,400 are taken
 z budget --elf tiny.elf --check limits
 [ $status -eq 1 ] || wrong "status $status: a build beyond its limit passes"
+
+# The Pico's image: code that is copied to RAM takes both
+begin a_build_with_code_in_ram
+want=$("${ARM}size" -A pico/fw/pico/flat.elf | awk '{ n[$1] = $2 } END {
+    print n[".boot2"] + n[".vectors"] + n[".once"] + n[".text"] + n[".ARM.exidx"] + n[".data"],
+        n[".stack"] + n[".data"] + n[".bss"] }')
+budget --part rp2040 --elf pico/fw/pico/flat.elf --csv
+is "flash and RAM" "$(csv flash) $(csv ram)" "$want"
 
 # ---- The textbook --------------------------------------------------------------------------------------------------
 begin textbook
