@@ -284,26 +284,40 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
     print_worst(rq, b);
 }
 
-static void print_parts(const struct budget_request *rq, const struct budget *b)
+static void print_left(const struct budget_part *p, const struct budget_totals *t)
+{
+    if (p->ram)
+        printf(" %9.0f %9.0f", p->ram - t->ram, p->flash - t->flash);
+    else /* of --core */
+        printf(" %9s %9s", "-", "-");
+}
+
+/* Of --part its row alone; of --core and --mhz one more, without memory. */
+static void print_parts(const struct budget_request *rq, const struct budget *b, const double elf[2])
 {
     const struct target to = target_of(rq);
+    const struct budget_part own = { .name = "--core", .core = to.core, .mhz = to.mhz };
     struct budget_totals t;
     printf("\n%-12s %-8s %5s %9s %9s %8s %8s %8s %8s   left of it; frames a second with one buffer and two\n", "part",
            "core", "MHz", "RAM", "flash", "draw ms", "wire ms", "1 buffer", "2");
-    for (uint32_t i = 0; i < n_budget_parts; i++) {
-        const struct budget_part *p = &budget_parts[i];
+    for (uint32_t i = 0; i <= n_budget_parts; i++) {
+        const struct budget_part *p = i < n_budget_parts ? &budget_parts[i] : &own;
         struct budget_request with = *rq;
-        if (rq->part && p != to.part)
+        if (rq->part ? p != to.part : p == &own && !(rq->has_core && rq->has_mhz))
             continue;
         const double wire = budget_wire_ms(rq, b, p);
         budget_totals(&t, &with, b, p->core, rq->part && rq->has_mhz ? rq->mhz : p->mhz, wire);
         printf("%-12s %-8s %5.0f", p->name, sim_core_names[p->core], rq->part && rq->has_mhz ? rq->mhz : p->mhz);
-        const char *const too = t.ram > p->ram || t.flash > p->flash ? "   too small" : "";
+        if (rq->part && rq->elf) {
+            t.flash = elf[0];
+            t.ram = elf[1];
+        }
+        print_left(p, &t);
+        const char *const too = p->ram && (t.ram > p->ram || t.flash > p->flash) ? "   too small" : "";
         if (isnan(t.draw_ms))
-            printf(" %9.0f %9.0f %8s %8.1f %8s %8s%s\n", p->ram - t.ram, p->flash - t.flash, "-", wire, "-", "-", too);
+            printf(" %8s %8.1f %8s %8s%s\n", "-", wire, "-", "-", too);
         else
-            printf(" %9.0f %9.0f %8.1f %8.1f %8.1f %8.1f%s\n", p->ram - t.ram, p->flash - t.flash, t.draw_ms, wire,
-                   t.fps_single, t.fps_double, too);
+            printf(" %8.1f %8.1f %8.1f %8.1f%s\n", t.draw_ms, wire, t.fps_single, t.fps_double, too);
     }
     printf("Cycles: the RP2040's as the emulator counts them, which M0 takes too; else instructions times\n"
            "%s: M3 and M4 %g, M7 %g, rv32imc %g. Flash without wait states. With two buffers\n"
@@ -437,6 +451,8 @@ static int settle(struct budget_request *rq)
         return budget_part_refuse("--part", rq->part);
     if (rq->part && rq->has_core)
         return sim_usage("--core is the part's own: leave it or --part out");
+    if (rq->has_mhz && !rq->part && !rq->has_core)
+        return sim_usage("--mhz is for a --part or a --core, which is missing");
     if ((rq->scene || rq->o.model) && (rq->has_scene_tris || rq->has_scene_verts))
         return sim_usage("--scene-tris and --scene-verts are for numbers alone: leave --scene and the model out");
     if (rq->o.projection == ZS_ORTHOGRAPHIC && rq->o.model == NULL)
@@ -495,7 +511,7 @@ static int report(const struct budget_request *rq)
         printf("  %s: flash %.0f, RAM %.0f\n", rq->elf, elf[0], elf[1]);
     print_wire(rq, &b);
     print_drawing(rq, &b);
-    print_parts(rq, &b);
+    print_parts(rq, &b, elf);
     return SIM_OK;
 }
 

@@ -292,7 +292,16 @@ awk -v f="$(csv frame_ms)" -v d="$(csv draw_ms)" -v w="$(csv wire_ms)" \
     'BEGIN { e = f - d - w; exit !(f > 0 && e < 0.0015 && e > -0.0015) }' || # each is rounded to 0.001
     wrong "one buffer: $(csv draw_ms) and $(csv wire_ms) make $(csv frame_ms)"
 budget --core M3 --mhz 50 --cpi 2 --csv
+part_row() { # NAME    of the table of parts in the last report
+    awk -v part="$1" '$1 == part { $1 = ""; print substr($0, 2) }' stdout
+}
+of_core="M3 50 - - $(csv draw_ms | awk '{ printf "%.1f", $1 }') 0.0"
 is "instructions to time" "$(csv draw_ms)" "$(awk -v n="$(csv draw_M3)" 'BEGIN { printf "%.3f", n * 2 / 50000 }')"
+budget --core M3 --mhz 50 --cpi 2
+is "a row of --core and --mhz" "$(part_row --core | cut -d' ' -f1-6)" "$of_core"
+is "besides those of parts" "$(part_row stm32f405 | cut -d' ' -f1-2)" 'M4 168'
+budget --core M3
+is "no row without a clock" "$(part_row --core)" ''
 
 begin slowest_strip
 for strip in 60 16 1; do
@@ -422,6 +431,9 @@ END
 want=$("${ARM}size" -B tiny.elf | awk 'NR == 2 { print $1 + $2, $2 + $3 }')
 budget --part lm3s6965 --elf tiny.elf --csv
 is "flash and RAM" "$(csv flash) $(csv ram)" "$want"
+left="$(csv ram_left) $(csv flash_left)"
+budget --part lm3s6965 --elf tiny.elf
+is "left of them in the part's row" "$(part_row lm3s6965 | cut -d' ' -f3-4)" "$left"
 "${ARM}gcc" -mcpu=cortex-m3 -mthumb -O1 -c tiny.c -o tiny.o
 z budget --elf tiny.o
 one_line 1 'tiny.o: --elf: no linked program'
@@ -513,6 +525,7 @@ no check 1 'nowhere: cannot be read' --check nowhere
 no elf 1 'tri.obj: --elf: no linked program' --elf tri.obj
 no error 1 'nowhere: cannot be read' --error nowhere
 no core 2 '--core is the part' --part rp2040 --core M3
+no clock 2 '--mhz is for a --part or a --core, which is missing' --mhz 50
 no both 2 '--scene and a model' tri.obj --scene cubes
 no two 2 'one model at a time' tri.obj tri.obj
 no spi 2 '--spi is for a --panel' --spi 1000000
