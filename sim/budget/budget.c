@@ -435,14 +435,86 @@ static int take(struct budget_request *rq, char seen[N_TABLE], int argc, char **
     return status;
 }
 
+static int given(const char seen[N_TABLE], const char *name)
+{
+    const struct sim_option *option = sim_option_find(table, N_TABLE, name);
+    return option && seen[option - table];
+}
+
+/* One answer at a time, and what only some of them take. */
+static int one_answer(const char seen[N_TABLE])
+{
+    static const char *const answers[] = { "--fit", "--methods", "--effects", "--check", "--error", "--buffer",
+                                           "--textbook" };
+    static const struct {
+        const char *option, *of;
+    } takes[] = { { "--ram", "--methods" },     { "--bar", "--error" },         { "--color", "--buffer" },
+                  { "--depth-bits", "--buffer" }, { "--samples", "--buffer" },    { "--fragments", "--buffer" },
+                  { "--accesses", "--buffer" }, { "--access-bits", "--buffer" } };
+    static const char *const no_csv[] = { "--check", "--error", "--textbook" };
+    const char *first = NULL;
+    for (size_t i = 0; i < sizeof answers / sizeof answers[0]; i++)
+        if (given(seen, answers[i])) {
+            if (first)
+                return sim_usage("%s and %s are two answers: ask for one of them", first, answers[i]);
+            first = answers[i];
+        }
+    for (size_t i = 0; i < sizeof takes / sizeof takes[0]; i++)
+        if (given(seen, takes[i].option) && !given(seen, takes[i].of))
+            return sim_usage("%s is for %s, which is missing", takes[i].option, takes[i].of);
+    for (size_t i = 0; i < sizeof no_csv / sizeof no_csv[0]; i++)
+        if (given(seen, "--csv") && given(seen, no_csv[i]))
+            return sim_usage("--csv: %s has none; leave one of them out", no_csv[i]);
+    if (given(seen, "--elf") && first && strcmp(first, "--check") != 0)
+        return sim_usage("--elf is for the report, --csv and --check: leave it or %s out", first);
+    return SIM_OK;
+}
+
+/* Options that a demo scene, a model or numbers do not take. */
+static int for_what_is_drawn(const struct budget_request *rq, const char seen[N_TABLE])
+{
+    enum { SCENE = 1, MODEL = 2, NUMBERS = 4 };
+    static const struct {
+        const char *option;
+        int of;
+    } takes[] = { { "--frame", SCENE },
+                  { "--eye", MODEL }, { "--at", MODEL }, { "--up", MODEL }, { "--fov", MODEL }, { "--near", MODEL },
+                  { "--far", MODEL }, { "--projection", MODEL }, { "--texture", MODEL }, { "--precise", MODEL },
+                  { "--simplify", MODEL }, { "--allow-outside", MODEL }, { "--load-memory", MODEL },
+                  { "--load-seconds", MODEL },
+                  { "--instances", NUMBERS }, { "--scene-tris", NUMBERS }, { "--scene-verts", NUMBERS },
+                  { "--coverage", NUMBERS }, { "--complexity", NUMBERS },
+                  { "--shade", MODEL | NUMBERS }, { "--texture-format", MODEL | NUMBERS },
+                  { "--depth", MODEL | NUMBERS } };
+    const int drawn = rq->scene ? SCENE : rq->o.model ? MODEL : NUMBERS;
+    for (size_t i = 0; i < sizeof takes / sizeof takes[0]; i++) {
+        const char *const name = takes[i].option;
+        if (!given(seen, name) || (takes[i].of & drawn))
+            continue;
+        if (takes[i].of == SCENE || takes[i].of == MODEL)
+            return sim_usage("%s is for %s, which is missing", name, takes[i].of == SCENE ? "a --scene" : "a model");
+        return takes[i].of == NUMBERS ?
+            sim_usage("%s is for numbers alone: leave --scene and the model out", name) :
+            sim_usage("%s is for a model or numbers: a demo scene has its own", name);
+    }
+    if (given(seen, "--depth") && sim_methods[rq->o.method].depth)
+        return sim_usage("--method %s brings its depth mapping: leave --depth out", sim_methods[rq->o.method].name);
+    if (given(seen, "--texture-format") && !sim_options_textured(&rq->o) &&
+        (drawn == NUMBERS || given(seen, "--shade")))
+        return sim_usage("--texture-format is for a --shade with textures: textured, textured-flat or unlit");
+    return SIM_OK;
+}
+
 /* What must not be together, and what follows from what. */
-static int settle(struct budget_request *rq)
+static int settle(struct budget_request *rq, const char seen[N_TABLE])
 {
     struct pm_glass glass;
     if (sim_simplify_check(rq->o.simplify) != SIM_OK)
         return SIM_USAGE;
     if (rq->scene && rq->o.model)
         return sim_usage("--scene and a model: one of them");
+    if (for_what_is_drawn(rq, seen) != SIM_OK)
+        return SIM_USAGE;
     if (rq->scene && sim_scene_file_need(rq->scene) != SIM_OK)
         return SIM_REFUSED;
     if (rq->o.panel.name == NULL && rq->o.has_spi)
@@ -453,10 +525,6 @@ static int settle(struct budget_request *rq)
         return sim_usage("--core is the part's own: leave it or --part out");
     if (rq->has_mhz && !rq->part && !rq->has_core)
         return sim_usage("--mhz is for a --part or a --core, which is missing");
-    if ((rq->scene || rq->o.model) && (rq->has_scene_tris || rq->has_scene_verts))
-        return sim_usage("--scene-tris and --scene-verts are for numbers alone: leave --scene and the model out");
-    if (rq->o.projection == ZS_ORTHOGRAPHIC && rq->o.model == NULL)
-        return sim_usage("--projection is for a model, which is missing");
     const int status = sim_panel_take(&rq->o.panel, NULL, rq->o.has_size, rq->o.size, rq->o.strip, &glass);
     if (status != SIM_OK)
         return status;
@@ -527,12 +595,14 @@ int sim_budget(int argc, char **argv)
     }
     if (status == SIM_OK)
         status = sim_options_in_range(table, N_TABLE, &rq, seen, NULL);
+    if (status == SIM_OK)
+        status = one_answer(seen);
     if (status != SIM_OK)
         return status;
     if (rq.textbook || rq.has_buffer)
         return budget_textbook(&rq);
     if (rq.error)
         return sim_costs_error(rq.error, rq.bar);
-    status = settle(&rq);
+    status = settle(&rq, seen);
     return status == SIM_OK ? report(&rq) : status;
 }

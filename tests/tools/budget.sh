@@ -525,6 +525,57 @@ no check 1 'nowhere: cannot be read' --check nowhere
 no elf 1 'tri.obj: --elf: no linked program' --elf tri.obj
 no error 1 'nowhere: cannot be read' --error nowhere
 no core 2 '--core is the part' --part rp2040 --core M3
+for two in '--fit rp2040:--check limits' '--methods:--check limits' '--effects:--check limits' \
+    '--textbook:--check limits' '--buffer 2x2:--check limits' '--error scenes:--check limits' '--methods:--fit rp2040' \
+    '--textbook:--buffer 2x2'; do
+    one=${two%%:*} other=${two#*:}
+    # shellcheck disable=SC2086
+    no "two_answers_${one%% *}" 2 "${one%% *}" $one $other
+    case $the_line in *"${other%% *}"*' are two answers: ask for one of them'*) ;; *) wrong "$the_line" ;; esac
+done
+no three_answers 2 '--fit and --methods are two answers' --csv --methods --fit rp2040
+for pair in 'ram 2000:--methods' 'bar 3:--error' 'color 3:--buffer' 'depth-bits 3:--buffer' 'samples 3:--buffer' \
+    'fragments 3:--buffer' 'accesses 3:--buffer' 'access-bits 3:--buffer'; do
+    one=--${pair%%:*}
+    # shellcheck disable=SC2086
+    no "of_an_answer_${one%% *}" 2 "${one%% *} is for ${pair#*:}, which is missing" $one
+done
+for one in '--check limits' --textbook '--error scenes'; do
+    # shellcheck disable=SC2086
+    no "no_csv_${one%% *}" 2 "--csv: ${one%% *} has none" --csv $one
+done
+no elf_of_fit 2 '--elf is for the report, --csv and --check' --elf tiny.elf --fit rp2040
+# What a demo scene, a model or numbers do not take
+for one in '--eye 1,2,3' '--at 1,2,3' '--up 0,1,0' '--fov 40' '--near 1' '--far 9' '--projection orthographic' \
+    '--texture skin.png' --precise '--simplify 9' --allow-outside '--load-memory 99' '--load-seconds 9'; do
+    # shellcheck disable=SC2086
+    no "no_model_${one%% *}" 2 "${one%% *} is for a model, which is missing" $one
+    # shellcheck disable=SC2086
+    no "of_a_scene_${one%% *}" 2 "${one%% *} is for a model, which is missing" $one --scene cubes
+done
+for one in '--shade flat' '--texture-format pal8' '--depth recip'; do
+    # shellcheck disable=SC2086
+    no "of_a_scene_${one%% *}" 2 "${one%% *} is for a model or numbers: a demo scene has its own" $one --scene cubes
+done
+for one in '--coverage 40' '--complexity 2' '--instances 2' '--scene-tris 2000' '--scene-verts 2000'; do
+    # shellcheck disable=SC2086
+    no "of_a_scene_${one%% *}" 2 "${one%% *} is for numbers alone: leave --scene and the model out" $one --scene cubes
+    # shellcheck disable=SC2086
+    no "of_a_model_${one%% *}" 2 "${one%% *} is for numbers alone: leave --scene and the model out" $one tri.obj
+done
+no frame_of_a_model 2 '--frame is for a --scene, which is missing' --frame 3 tri.obj
+no two_mappings 2 '--method painter brings its depth mapping: leave --depth out' --method painter --depth recip
+for shade in '' '--shade flat' '--shade smooth' '--shade id' 'tri.obj --shade flat'; do
+    # shellcheck disable=SC2086
+    no "no_texels_$(echo "$shade" | tr -d ' -')" 2 '--texture-format is for a --shade with textures' \
+        --texture-format pal8 $shade
+done
+begin what_applies_is_taken
+for line in 'tri.obj --texture-format pal8' '--shade unlit --texture-format pal4' \
+    'tri.obj --depth recip --shade smooth' '--method hiz --depth recip' '--csv --fit rp2040' '--method painter --scene cubes'; do
+    # shellcheck disable=SC2086
+    budget $line
+done
 no clock 2 '--mhz is for a --part or a --core, which is missing' --mhz 50
 no both 2 '--scene and a model' tri.obj --scene cubes
 no two 2 'one model at a time' tri.obj tri.obj
