@@ -170,9 +170,9 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
     if (r->panel)
         printf("  panel           %8u  and %u to convert pixels in\n", r->panel, r->scratch);
     if (r->watch)
-        printf("  zs_damage_compare        %8u\n", r->watch);
+        printf("  changed strips  %8u  zs_damage_compare, %ld columns\n", r->watch, rq->watch);
     if (r->track)
-        printf("  zs_damage_track        %8u\n", r->track);
+        printf("  moved instances %8u  zs_damage_track, %ld of them\n", r->track, rq->track);
     printf("  stack           %8u  Cortex-M3; M0+ %u: the worst case, without sink and interrupts\n",
            r->stack[BUDGET_M3],
            r->stack[BUDGET_M0]);

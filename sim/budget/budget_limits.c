@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,7 +37,7 @@ static int take_line(char *line, char **name, double *value)
     do
         equals++;
     while (isspace((unsigned char)*equals));
-    return sim_value_double(equals, '\0', &end, value) ? 1 : -1;
+    return sim_value_double(equals, '\0', &end, value) && isfinite(*value) ? 1 : -1;
 }
 
 int budget_check(const char *file, const struct budget_figure *figure, size_t n)

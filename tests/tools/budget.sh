@@ -183,6 +183,11 @@ for part in rp2040 stm32f103c8 stm32f405 stm32f411 nrf51822 nrf52832 lm3s6965 es
     grep -q "^$part " stdout || wrong "no line for $part"
 done
 
+budget --watch 4 --track 3
+is "rows of the report's RAM out of its columns" \
+    "$(sed -n '/^RAM/,/^$/p' stdout | grep -v '^RAM\|^$' | grep -cvE '^  .{16}[ 0-9]{7}[0-9]($| )')" 0
+is "zs_damage_compare and zs_damage_track" "$(grep -cE '  zs_damage_(compare, 4 columns|track, 3 of them)$' stdout)" 2
+
 # ---- The wire ---------------------------------------------------------------------------------------------
 begin wire_is_the_drivers
 obj tri 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'f 1 2 3'
@@ -418,6 +423,9 @@ not_limits() { # NAME SAID LINE...
 not_limits unknown 'limits:2: rom is not known here; there are ram, arena, stack, flash' '# x' 'rom = 3'
 not_limits without_a_clock 'limits:1: fps is not known here' 'fps = 3'
 not_limits not_a_number 'limits:1: a limit reads name = number' 'ram = much'
+for endless in inf nan -inf infinity; do
+    not_limits "of_$endless" 'limits:1: a limit reads name = number' "ram = $endless"
+done
 not_limits not_a_line 'limits:1: a limit reads name = number' 'ram 65536'
 not_limits none 'holds no limit' '# nothing'
 
