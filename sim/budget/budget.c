@@ -345,7 +345,7 @@ static void print_head(const struct budget_request *rq, const struct budget *b)
 
 #define FIGURES_MAX 32
 
-/* What --check and --csv know. Times only where the clock is known. */
+/* What --check and --csv know; with what is missing for those that are not known here. */
 static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct budget_request *rq,
                          const struct budget *b,
                          const double elf[2])
@@ -359,25 +359,25 @@ static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct 
         t.flash = elf[0];
         t.ram = elf[1];
     }
-    figure[n++] = (struct budget_figure){ "ram", t.ram, 0 };
-    figure[n++] = (struct budget_figure){ "arena", b->ram.arena, 0 };
-    figure[n++] = (struct budget_figure){ "stack", b->ram.stack[cpu], 0 };
-    figure[n++] = (struct budget_figure){ "flash", t.flash, 0 };
-    if (b->has_wire)
-        figure[n++] = (struct budget_figure){ "wire_ms", b->wire.ms, 0 };
-    if (to.mhz > 0.0 && !isnan(t.draw_ms)) {
-        figure[n++] = (struct budget_figure){ "draw_ms", t.draw_ms, 0 };
-        if (b->counted.worst[to.core] > 0.0)
-            figure[n++] = (struct budget_figure){
-                "strip_ms", b->counted.worst[to.core] * budget_cpi(rq, to.core) / (to.mhz * 1e3), 0
-            };
-        figure[n++] = (struct budget_figure){ "frame_ms", t.frame_ms, 0 };
-        figure[n++] = (struct budget_figure){ "fps", t.fps, 1 };
-    }
-    if (to.part) {
-        figure[n++] = (struct budget_figure){ "ram_left", to.part->ram - t.ram, 1 };
-        figure[n++] = (struct budget_figure){ "flash_left", to.part->flash - t.flash, 1 };
-    }
+    figure[n++] = (struct budget_figure){ "ram", t.ram, 0, NULL };
+    figure[n++] = (struct budget_figure){ "arena", b->ram.arena, 0, NULL };
+    figure[n++] = (struct budget_figure){ "stack", b->ram.stack[cpu], 0, NULL };
+    figure[n++] = (struct budget_figure){ "flash", t.flash, 0, NULL };
+    figure[n++] = (struct budget_figure){ "wire_ms", b->wire.ms, 0, b->has_wire ? NULL : "a --panel" };
+    const char *const clock = to.mhz > 0.0 ? NULL : "a clock: give --part, or --core and --mhz";
+    const char *const time = clock || !isnan(t.draw_ms) ? clock
+                             : budget_has_time(b) ? "times that were measured, which this scene has not"
+                                                  : "more than numbers with this method: give --scene or a model";
+    const char *const strip = time || b->counted.worst[to.core] > 0.0 ? time
+                              : "a frame that is counted: give --scene or a model";
+    const char *const part = to.part ? NULL : "a --part";
+    const double worst = clock ? 0.0 : b->counted.worst[to.core] * budget_cpi(rq, to.core) / (to.mhz * 1e3);
+    figure[n++] = (struct budget_figure){ "draw_ms", t.draw_ms, 0, time };
+    figure[n++] = (struct budget_figure){ "strip_ms", worst, 0, strip };
+    figure[n++] = (struct budget_figure){ "frame_ms", t.frame_ms, 0, time };
+    figure[n++] = (struct budget_figure){ "fps", t.fps, 1, time };
+    figure[n++] = (struct budget_figure){ "ram_left", part ? 0.0 : to.part->ram - t.ram, 1, part };
+    figure[n++] = (struct budget_figure){ "flash_left", part ? 0.0 : to.part->flash - t.flash, 1, part };
     return n;
 }
 
@@ -406,6 +406,8 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
     for (size_t i = 0; i < sizeof bytes / sizeof bytes[0]; i++)
         printf("%s,%u,bytes\n", bytes[i].key, bytes[i].value);
     for (size_t i = 0; i < n; i++) {
+        if (figure[i].needs)
+            continue;
         const int ms = strstr(figure[i].key, "_ms") != NULL, fps = strcmp(figure[i].key, "fps") == 0;
         printf("%s,%.*f,%s\n", figure[i].key, ms ? 3 : fps ? 1 : 0, figure[i].value, ms ? "ms" : fps ? "1/s" : "bytes");
     }

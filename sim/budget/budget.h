@@ -163,6 +163,7 @@ struct budget_figure {
     const char *key;
     double value;
     int at_least; /* flag: a limit is the least it may be, not the most */
+    const char *needs; /* what is missing for it; NULL: nothing, value is known */
 };
 int budget_check(const char *file, const struct budget_figure *figure, size_t n);
 /* Flash and RAM of a linked program, little-endian ELF32. */

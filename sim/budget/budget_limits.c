@@ -49,7 +49,8 @@ int budget_check(const char *file, const struct budget_figure *figure, size_t n)
     if (!f)
         return sim_refuse(file, 0, "cannot be read; it holds limits, one a line, such as ram = 65536");
     for (size_t i = 0; i < n; i++)
-        (void)snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? ", " : "", figure[i].key);
+        if (!figure[i].needs)
+            (void)snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? ", " : "", figure[i].key);
     while (status == SIM_OK && fgets(line, sizeof line, f)) {
         char *name;
         double limit;
@@ -66,6 +67,10 @@ int budget_check(const char *file, const struct budget_figure *figure, size_t n)
             i++;
         if (i == n) {
             status = sim_refuse(file, at, "%s is not known here; there are %s", name, names);
+            break;
+        }
+        if (figure[i].needs) {
+            status = sim_refuse(file, at, "%s needs %s", name, figure[i].needs);
             break;
         }
         const int ok = figure[i].at_least ? figure[i].value >= limit : figure[i].value <= limit;

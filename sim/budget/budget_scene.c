@@ -10,6 +10,7 @@
 #include "demo_frame.h"
 #include "frame.h"
 #include "line_style.h"
+#include "losses.h"
 #include "model.h"
 #include "render.h"
 #include "core/frame.h"
@@ -284,6 +285,11 @@ static int of_model(struct budget *b, const struct budget_request *rq)
     int status = sim_scene_load(&model, &with.o);
     if (status == SIM_OK)
         status = budget_model(b, &with, &model);
+    if (status == SIM_OK && !rq->quiet) {
+        char lead[4200];
+        (void)snprintf(lead, sizeof lead, "%s: %s: ", sim_program, with.o.model);
+        sim_lost_materials_print(stderr, lead, model.lost_materials);
+    }
     sim_model_free(&model);
     return status;
 }

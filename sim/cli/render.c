@@ -481,10 +481,7 @@ static void say_losses(const struct job *job)
 {
     char lead[4200];
     (void)snprintf(lead, sizeof lead, "%s: %s: ", sim_program, job->options.model);
-    const char *const materials = job->model.lost_materials;
-    if (materials != NULL)
-        (void)fprintf(stderr, "%smaterial file %s cannot be read: its colours and textures are missing\n", lead,
-                      materials);
+    sim_lost_materials_print(stderr, lead, job->model.lost_materials);
     sim_losses_print(stderr, lead, job->scene != NULL ? job->scene->lost : job->turned);
 }
 

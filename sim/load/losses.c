@@ -18,6 +18,12 @@ void sim_lose(struct sim_lost *lost, enum sim_lost_kind kind, const char *name)
 
 /* ---- Saying ---------------------------------------------------------------------------------- */
 
+void sim_lost_materials_print(FILE *f, const char *lead, const char *materials)
+{
+    if (materials != NULL)
+        (void)fprintf(f, "%smaterial file %s cannot be read: its colours and textures are missing\n", lead, materials);
+}
+
 void sim_losses_print(FILE *f, const char *lead, const struct sim_lost *lost)
 {
     static const struct {

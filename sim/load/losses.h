@@ -56,6 +56,8 @@ void sim_lose(struct sim_lost *lost, enum sim_lost_kind kind, const char *name);
  * loaded. used: [mNumMaterials], flags: of these materials maps are counted; NULL: of none. */
 void sim_losses_count(struct sim_lost *lost, const struct aiScene *scene, const uint8_t *used);
 
+/* The material file that could not be read, if any: a line begun by lead. */
+void sim_lost_materials_print(FILE *f, const char *lead, const char *materials);
 /* A line a kind, each begun by lead: what, how many, the first one's name. */
 void sim_losses_print(FILE *f, const char *lead, const struct sim_lost *lost);
 

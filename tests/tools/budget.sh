@@ -126,6 +126,14 @@ done
 z budget panes.obj --tris 1 --verts 40
 one_line 1 'panes.obj: '
 
+begin material_file_that_is_missing_is_named
+sed 's/panes.mtl/gone.mtl/' panes.obj >gone.obj
+z budget gone.obj
+[ $status -eq 0 ] || wrong "status $status: $(said)"
+only_line stderr
+is "what is said" "${the_line#*: }" \
+    'gone.obj: material file gone.mtl cannot be read: its colours and textures are missing'
+
 begin largest_scene_in_16_KB
 budget --methods --size 128x64 --strip 8 --buffers 1 --csv
 cp stdout methods.csv
@@ -421,7 +429,18 @@ not_limits() { # NAME SAID LINE...
     one_line 1 "$what"
 }
 not_limits unknown 'limits:2: rom is not known here; there are ram, arena, stack, flash' '# x' 'rom = 3'
-not_limits without_a_clock 'limits:1: fps is not known here' 'fps = 3'
+for one in fps draw_ms strip_ms frame_ms; do
+    not_limits "$one" "limits:1: $one needs a clock: give --part, or --core and --mhz" "$one = 3"
+done
+not_limits wire_ms 'limits:1: wire_ms needs a --panel' 'wire_ms = 3'
+not_limits ram_left 'limits:1: ram_left needs a --part' 'ram_left = 3'
+begin limits_of_a_strip_of_numbers
+limits 'strip_ms = 3'
+z budget --part rp2040 --check limits
+one_line 1 'limits:1: strip_ms needs a frame that is counted: give --scene or a model'
+limits 'fps = 3'
+z budget --method painter --part rp2040 --check limits
+one_line 1 'limits:1: fps needs more than numbers with this method: give --scene or a model'
 not_limits not_a_number 'limits:1: a limit reads name = number' 'ram = much'
 for endless in inf nan -inf infinity; do
     not_limits "of_$endless" 'limits:1: a limit reads name = number' "ram = $endless"
@@ -580,7 +599,8 @@ for shade in '' '--shade flat' '--shade smooth' '--shade id' 'tri.obj --shade fl
 done
 begin what_applies_is_taken
 for line in 'tri.obj --texture-format pal8' '--shade unlit --texture-format pal4' \
-    'tri.obj --depth recip --shade smooth' '--method hiz --depth recip' '--csv --fit rp2040' '--method painter --scene cubes'; do
+    'tri.obj --depth recip --shade smooth' '--method hiz --depth recip' '--csv --fit rp2040' \
+    '--method painter --scene cubes'; do
     # shellcheck disable=SC2086
     budget $line
 done
