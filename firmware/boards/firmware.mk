@@ -185,7 +185,8 @@ $(OUT)/%.o: %.S firmware/boards/$(BOARD)/board.mk
 image: $(ELF) $(BOARD_IMAGES:%=$(OUT)/$(NAME).%)
 	@$(SIZE) -A $(ELF) | awk -v what='$(OUT)/$(NAME).elf $(addprefix .,$(BOARD_IMAGES))' -v flash='$(BOARD_FLASH)' \
 	    -v ram='$(BOARD_RAM)' '{ n[$$1] = $$2 } END { printf "%s: flash %d%s bytes, RAM %d%s, of it %d for the stack\n", \
-	        what, n[".boot2"] + n[".vectors"] + n[".text"] + n[".rodata"] + n[".ARM.exidx"] + n[".data"], \
+	        what, n[".boot2"] + n[".vectors"] + n[".once"] + n[".text"] + n[".rodata"] + n[".ARM.exidx"] + \
+	            n[".data"], \
 	        flash ? " of " flash : "", n[".stack"] + n[".data"] + n[".bss"], ram ? " of " ram : "", n[".stack"] }'
 $(OUT)/$(NAME).bin: $(ELF)
 	@$(OBJCOPY) -O binary $< $@

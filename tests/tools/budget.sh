@@ -470,11 +470,12 @@ z budget --elf tiny.elf --check limits
 
 # The Pico's image: code that is copied to RAM takes both
 begin a_build_with_code_in_ram
-want=$("${ARM}size" -A pico/fw/pico/flat.elf | awk '{ n[$1] = $2 } END {
+want=$("${ARM}size" -A pico/fw/pico/textured.elf | awk '{ n[$1] = $2 } END {
     print n[".boot2"] + n[".vectors"] + n[".once"] + n[".text"] + n[".ARM.exidx"] + n[".data"],
         n[".stack"] + n[".data"] + n[".bss"] }')
-budget --part rp2040 --elf pico/fw/pico/flat.elf --csv
+budget --part rp2040 --elf pico/fw/pico/textured.elf --csv
 is "flash and RAM" "$(csv flash) $(csv ram)" "$want"
+is "what make image says" "$(sed -n 's/.*: flash \([0-9]*\) of .*, RAM \([0-9]*\) of .*/\1 \2/p' image.txt)" "$want"
 
 # ---- The textbook --------------------------------------------------------------------------------------------------
 begin textbook
