@@ -63,14 +63,18 @@ static void plan_separation(enum study_effort effort)
     static const double place[] = {
         1.2, 3, 10, 30, 80, 300, 800, 3000, 8000, 30000, 80000
     }; /* not near an octave's end */
+    const double last_of_ten = 7.9; /* at 10 times near the places end at 0.3 far without it, else at 0.8 */
     const int step = effort == STUDY_QUICK ? 8 : 1;
     const size_t ratios = effort == STUDY_QUICK ? 1 : 5;
     for (size_t r = 0; r < ratios; r++)
         for (int m = 0; m < STUDY_MAPPINGS; m++)
-            for (int bits = 8; bits <= 16; bits += step)
+            for (int bits = 8; bits <= 16; bits += step) {
                 for (size_t p = 0; p < sizeof place / sizeof place[0] && place[p] <= 0.81 * ratio[r]; p++)
                     if (effort != STUDY_QUICK || p % 3 == 1 || place[p] == 800)
                         add((struct run){ SEPARATION, m, bits, 0, 1, ratio[r], place[p] });
+                if (ratio[r] == 10)
+                    add((struct run){ SEPARATION, m, bits, 0, 1, ratio[r], last_of_ten });
+            }
 }
 
 static size_t plan(enum study_effort effort)

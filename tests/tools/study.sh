@@ -186,6 +186,17 @@ finds_nothing '
     w < 0.02 * $10 { n++; if ($12 < 0.97 * w || $12 > 1.05 * w) print $6, $7, $10, "measured", $12, w }
     END { if (n < 10) print n + 0, "rows compared" }' all/depth.csv
 
+begin study_separation_at_0.8_of_far # far at 10 times near, keys of 16 bits, percent: as in NUMERICS.md
+for one in 675:recip:0.0109:0.0111 702:linear:0.0017:0.0018 729:e3m13:0.0119:0.0123; do
+    echo "$one" | tr : ' ' >one
+    read -r shard mapping least most <one
+    study 0 depth --out far --shard "$shard/100000"
+    finds_nothing "NR == 2 { n++
+        if (\$5 != \"separation\" || \$6 != \"$mapping\" || \$7 != 16 || \$9 != 10 || \$10 != 7.9) print \"row\", \$0
+        if (!(100 * \$12 / \$10 > $least && 100 * \$12 / \$10 < $most)) print \$6, 100 * \$12 / \$10 }
+        END { if (!n) print \"no row\" }" "far/depth.$shard-of-100000.csv"
+done
+
 begin study_keys_are_the_formula
 finds_nothing '
     $5 != "curve" { next }
