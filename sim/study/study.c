@@ -123,6 +123,12 @@ static long kept_bytes(const struct sweep *s, const char *text, size_t *next, co
         begin_row(s->study, s->rq->effort, *next, &row);
         if (strncmp(at, row.text, row.n) || at[row.n] != ',')
             return -1;
+        if (study_damaged(s->study, at, &row)) {
+            static char said[128];
+            (void)snprintf(said, sizeof said, "its row of run %zu has no result in column %.40s", *next, row.text);
+            *why = said;
+            return -1;
+        }
         *next += s->rq->of;
     }
     return at - text;
@@ -139,6 +145,11 @@ static int sweep_open(struct sweep *s, size_t *next)
     const char *why = NULL;
     size_t n;
     long keep = 0;
+    for (int k = 0; k < 2; k++) {
+        const char *const path = k ? s->part : s->csv;
+        if (!study_is_file(path))
+            return sim_refuse(path, 0, "is not a regular file; remove it, or name another folder by --out");
+    }
     char *text = study_read(s->csv, &n);
     *next = first_run(s->rq);
     if (text) {
@@ -278,6 +289,9 @@ static int merge_row(struct merge *m, const char *path, unsigned long number, co
         strcmp(effort, effort_name[m->effort]))
         return sim_refuse(path, number, "is not of the same study, build and effort (%s, %s, %s)", m->study->name,
                           m->build, effort_name[m->effort]);
+    struct study_text column;
+    if (study_damaged(m->study, line, &column))
+        return sim_refuse(path, number, "run %zu has no result in column %s; make its rows again", run, column.text);
     if (m->row[run] && strcmp(m->row[run], line))
         return sim_refuse(path, number, "run %zu has another row in another file; leave one of them out", run);
     if (!m->row[run]) {

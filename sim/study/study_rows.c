@@ -9,6 +9,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "sim.h"
 
@@ -41,6 +42,39 @@ void study_header(const struct study *study, struct study_text *row)
     study_put(row, "%s", COMMON);
     study_put(row, "%s", study->params);
     study_put(row, "%s", study->results);
+}
+
+/* Is a cell of results what a run may give: nothing, a number, or the letters of these columns? */
+static int is_result(const char *column, size_t length, const char *cell, size_t n)
+{
+    static const char *const letters[][2] = { { "checksum", "0123456789abcdef" },
+                                              { "status", "ABCDEFGHIJKLMNOPQRSTUVWXYZ_" } };
+    for (size_t k = 0; k < sizeof letters / sizeof letters[0]; k++)
+        if (strlen(letters[k][0]) == length && !memcmp(letters[k][0], column, length))
+            return strspn(cell, letters[k][1]) == n;
+    char *end;
+    const double value = n ? strtod(cell, &end) : 0.0;
+    return n == 0 || (end == cell + n && isfinite(value));
+}
+
+int study_damaged(const struct study *study, const char *row, struct study_text *column)
+{
+    struct study_text head;
+    study_header(study, &head);
+    const char *const results = head.text + strlen(COMMON ",") + strlen(study->params) + 1;
+    const char *name = head.text, *cell = row;
+    for (int more = 1; more;) {
+        const size_t length = strcspn(name, ","), n = strcspn(cell, ",\n");
+        more = name[length] == ',';
+        if ((name >= results && !is_result(name, length, cell, n)) || (cell[n] == ',') != more) {
+            column->n = 0;
+            study_put(column, "%.*s", (int)length, name);
+            return 1;
+        }
+        name += length + 1;
+        cell += n + 1;
+    }
+    return 0;
 }
 
 /* ---- Tables ------------------------------------------------------------------------------------------------------ */
@@ -95,6 +129,12 @@ size_t study_most(const struct study_table *t, const char *column)
 int study_is(const struct study_table *t, size_t row, const char *column, const char *text)
 {
     return !strcmp(study_cell(t, row, column), text);
+}
+
+int study_is_file(const char *path)
+{
+    struct stat st;
+    return stat(path, &st) ? errno == ENOENT : S_ISREG(st.st_mode);
 }
 
 char *study_read(const char *path, size_t *n)

@@ -10,6 +10,12 @@
 /* The names of a study's columns, in place of what the row held. */
 void study_header(const struct study *study, struct study_text *row);
 
+/* Has a row, which ends with its line or a 0, a result that no run gives, or other columns? *column: the first name. */
+int study_damaged(const struct study *study, const char *row, struct study_text *column);
+
+/* Is there a regular file, or none? */
+int study_is_file(const char *path);
+
 /* A file's text, with a 0 behind it, for free; *n: characters. NULL: it cannot be read, errno says why. */
 char *study_read(const char *path, size_t *n);
 

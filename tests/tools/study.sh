@@ -132,6 +132,36 @@ sed '3s/,scale,-8,/,scale,-9,/' all/stability.csv >param/stability.csv.part
 refuses rows_of_other_parameters 1 'parameters' stability --quick --out param
 sed '1s/value/values/' all/stability.csv >columns/stability.csv
 refuses other_columns 1 'columns' stability --quick --out columns
+# Results that no run gives, in what is whole and in what is in the making; --redo starts over
+mkdir -p damaged torn
+for cell in 1x9 nan inf - '1 2'; do
+    sed "4s/^\(.*,\)[^,]*,\([^,]*,[^,]*,[^,]*,[^,]*\)$/\1$cell,\2/" all/depth.csv >damaged/depth.csv
+    cp damaged/depth.csv damaged/before
+    refuses "damaged_result_$cell" 1 'its row of run 2 has no result in column' depth --quick --out damaged
+    same_bytes damaged/depth.csv damaged/before
+done
+sed '3s/,\([0-9a-f]\{16\}\),/,x\1,/' all/memory.csv >damaged/memory.csv.part
+refuses damaged_checksum 1 'its row of run 1 has no result in column checksum' memory --quick --out damaged
+sed '3s/,OK,/,ok,/' all/stability.csv >damaged/stability.csv
+refuses damaged_status 1 'its row of run 1 has no result in column status' stability --quick --out damaged
+sed '5s/,$//' all/depth.csv >torn/depth.csv
+refuses fewer_cells 1 'its row of run 3 has no result in column' depth --quick --out torn
+sed '5s/$/,/' all/depth.csv >torn/depth.csv
+refuses more_cells 1 'its row of run 3 has no result in column key' depth --quick --out torn
+refuses merge_of_a_damaged_row 1 'damaged/before:4: run 2 has no result in column' merge damaged/before --out m
+begin study_redo_of_damage
+study 0 depth --quick --out damaged --redo
+same_bytes damaged/depth.csv all/depth.csv
+
+# What is not a regular file is not read, which might not end
+mkdir -p special
+ln -s /dev/full special/depth.csv
+ln -s /dev/full special/stability.csv.part
+mkfifo special/memory.csv
+for one in depth:depth.csv stability:stability.csv.part memory:memory.csv; do
+    refuses "link_to_no_file_${one%%:*}" 1 "special/${one#*:}: is not a regular file" "${one%%:*}" --quick --redo \
+        --out special
+done
 begin study_redo
 study 0 stability --quick --out other --redo
 same_bytes other/stability.csv all/stability.csv
@@ -188,8 +218,8 @@ finds_nothing '
 
 begin study_separation_at_0.8_of_far # far at 10 times near, keys of 16 bits, percent: as in NUMERICS.md
 for one in 675:recip:0.0109:0.0111 702:linear:0.0017:0.0018 729:e3m13:0.0119:0.0123; do
-    echo "$one" | tr : ' ' >one
-    read -r shard mapping least most <one
+    echo "$one" | tr : ' ' >far.txt
+    read -r shard mapping least most <far.txt
     study 0 depth --out far --shard "$shard/100000"
     finds_nothing "NR == 2 { n++
         if (\$5 != \"separation\" || \$6 != \"$mapping\" || \$7 != 16 || \$9 != 10 || \$10 != 7.9) print \"row\", \$0
