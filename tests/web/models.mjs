@@ -1,7 +1,7 @@
 /* Models of each format that the page reads, of one ring, with a texture where the format has one.
  *
  * Usage: node tests/web/models.mjs FOLDER: ring.obj, ring.mtl, ring.png, ring.stl, ring.ply, big.ply, ring.glb,
- * mirrored.glb, sparse.glb, strip.glb, draco.gltf; and into FOLDER/bad what nothing can be made of
+ * opaque.glb, blend.glb, mirrored.glb, sparse.glb, strip.glb, draco.gltf; and into FOLDER/bad what nothing can be made of
  *
  * SPDX-License-Identifier: MIT
  */
@@ -52,20 +52,27 @@ function chunk(name, data) {
     out.writeUInt32BE(crc(out.subarray(4, 8 + data.length)), 8 + data.length);
     return out;
 }
-const raw = Buffer.alloc(SIDE * (3 * SIDE + 1)),
-    head = Buffer.alloc(13);
-for (let y = 0; y < SIDE; y++)
-    for (let x = 0; x < SIDE; x++)
-        raw.set([((x >> 3) ^ (y >> 3)) & 1 ? 230 : 30, 8 * x, 8 * y], y * (3 * SIDE + 1) + 1 + 3 * x);
-head.writeUInt32BE(SIDE, 0);
-head.writeUInt32BE(SIDE, 4);
-head.set([8, 2], 8);
-const png = Buffer.concat([
-    Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]),
-    chunk('IHDR', head),
-    chunk('IDAT', deflateSync(raw)),
-    chunk('IEND', Buffer.alloc(0)),
-]);
+/* Of squares; channels: 3, or 4 with alpha, of which some is 0 and some nearly so. */
+function picture(channels) {
+    const raw = Buffer.alloc(SIDE * (channels * SIDE + 1)),
+        head = Buffer.alloc(13);
+    for (let y = 0; y < SIDE; y++)
+        for (let x = 0; x < SIDE; x++)
+            raw.set(
+                [((x >> 3) ^ (y >> 3)) & 1 ? 230 : 30, 8 * x, 8 * y, [0, 3, 100, 255][(x >> 2) & 3]].slice(0, channels),
+                y * (channels * SIDE + 1) + 1 + channels * x,
+            );
+    head.writeUInt32BE(SIDE, 0);
+    head.writeUInt32BE(SIDE, 4);
+    head.set([8, channels === 4 ? 6 : 2], 8);
+    return Buffer.concat([
+        Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]),
+        chunk('IHDR', head),
+        chunk('IDAT', deflateSync(raw)),
+        chunk('IEND', Buffer.alloc(0)),
+    ]);
+}
+const png = picture(3);
 write('ring.png', png);
 
 /* ---- OBJ, STL, PLY ---- */
@@ -147,6 +154,7 @@ const buffers = [
     Buffer.from(Uint16Array.from(replaced).buffer),
     floats(replaced.map((i) => points[i].map((c) => c * 1.25))),
     Buffer.from(Uint16Array.from(strip).buffer),
+    picture(4),
 ];
 let bytes = 0;
 const bufferViews = buffers.map((b) => {
@@ -207,6 +215,13 @@ function changed(name, change) {
 }
 changed('strip.glb', () => {
     gltf.meshes = [{ primitives: [{ attributes: { POSITION: 0 }, indices: 4, mode: 5 }] }];
+});
+changed('opaque.glb', () => {
+    gltf.images[0].bufferView = 8;
+});
+changed('blend.glb', () => {
+    gltf.images[0].bufferView = 8;
+    gltf.materials[0].alphaMode = 'BLEND';
 });
 changed('bad/material.glb', () => {
     gltf.meshes[0].primitives[0].material = 7;

@@ -28,11 +28,12 @@ globalThis.OffscreenCanvas = class {
 };
 const picture = Buffer.from(writePng(4, 4, Uint8Array.from({length: 48}, (_, i) => 85 * (i * 7 % 4))));
 
+const bytes = (name, data) => ({name, arrayBuffer: async () => Uint8Array.from(Buffer.from(data)).buffer});
 /** A model of these files, the first of which is the model itself, drawn by both. */
 async function same(name, files) {
     const given = Object.entries(files).map(([ file, text ]) => {
         writeFileSync(`${work}/${file}`, text);
-        return {name: file, arrayBuffer: async () => Uint8Array.from(Buffer.from(text)).buffer};
+        return bytes(file, text);
     });
     const wrong = [];
     try {
@@ -85,16 +86,18 @@ await same('carriage_returns_and_small_letters', {
     'small.obj': `mtllib small.mtl\n${points}usemtl red\n${faces.join('\n')}\n`,
     'small.mtl': 'newmtl red\rkd 1 0 0\r',
 });
-{
-    const given = (name, text) => ({name, arrayBuffer: async () => Uint8Array.from(Buffer.from(text)).buffer});
-    const model = await readModel([
-        given('moved.obj', `mtllib moved.mtl\n${points}usemtl t\n${faces[0]}\n`),
-        given('moved.mtl', 'newmtl t\nmap_Kd -o 0.25 0 -s 2 2 -bm 0.5 moved.png\n'), given('moved.png', picture),
-    ]);
-    const right = String(model.losses) === '-s and -o of map_Kd are left out' && model.textures.length === 1;
-    console.log(right ? 'ok web_names_moved_textures' : `FAILED web_names_moved_textures: ${model.losses}`);
-    failed |= !right;
+/** What the page says that it leaves out of a model of these files. */
+async function losses(name, files, wanted) {
+    const model = await readModel(Object.entries(files).map(([ file, data ]) => bytes(file, data)));
+    const answer = engine.setModel(model), said = (answer.losses ?? [ answer.error ]).join('; ');
+    console.log(said === wanted ? `ok web_${name}` : `FAILED web_${name}: ${said}`);
+    failed |= said !== wanted;
 }
+await losses('names_moved_textures', {
+    'moved.obj': `mtllib moved.mtl\n${points}usemtl t\n${faces[0]}\n`,
+    'moved.mtl': 'newmtl t\nmap_Kd -o 0.25 0 -s 2 2 -bm 0.5 moved.png\n',
+    'moved.png': picture,
+}, '-s and -o of map_Kd are left out');
 for (const [ name, file, kd ] of [ [ 'blanks', 'my picture.png', '1 1 1' ], [ 'a_percent_sign', '100%.png', '1 1 1' ],
          [ 'a_factor_beyond_1', 'plain.png', '2 2 2' ] ])
     await same(`a_texture_with_${name}`, {
@@ -146,4 +149,17 @@ for (const [ name, material, attributes ] of [
          [ 'colours_and_black', {pbrMetallicRoughness: {baseColorFactor: [ 0, 0, 0, 1 ]}}, {COLOR_0: 3} ],
      ])
     await same(name, {[`${name}.gltf`]: gltf({doubleSided: true, ...material}, attributes)});
+{
+    const textured = JSON.parse(gltf({pbrMetallicRoughness: {baseColorTexture: {index: 0}}}));
+    delete textured.materials[1].doubleSided;
+    const file = (image, source = 0) =>
+        JSON.stringify({...textured, images: [ image ], textures: [ {source: source ?? undefined} ]});
+    const a = 'a picture that is not there', plain = ': its faces are plain';
+    await losses('names_pictures_that_are_missing', {'missing.gltf': file({uri: `${a}.png`})},
+        `${a}.png was not given: drop it with the model`);
+    await losses('names_textures_without_pictures', {'none.gltf': file({}, null)},
+        `texture 1 names no picture that is read${plain}`);
+    await losses('names_pictures_that_are_none', {'broken.gltf': file({uri: 'data:image/png;base64,QUJD'})},
+        `texture 1 is no picture that this browser reads${plain}`);
+}
 process.exit(failed);

@@ -3,7 +3,8 @@ import { BadModel } from './read_text.js';
 import { readObj } from './read_obj.js';
 import { readStl } from './read_stl.js';
 import { readPly } from './read_ply.js';
-import { readGltf } from './read_gltf.js';
+import { dataUri, readGltf } from './read_gltf.js';
+import { decodePicture } from './picture.js';
 
 const MODEL = /\.(obj|stl|ply|gltf|glb)$/i;
 /* %20 and the like as what they stand for, where that is text. */
@@ -16,44 +17,37 @@ const decoded = (uri) => uri.replace(/(%[\da-f]{2})+/gi, (s) => {
 });
 const baseName = (path) => path.split(/[\\/]/).pop();
 
-async function decodePicture(bytes) {
-    const image = await createImageBitmap(new Blob([bytes]), {
-        premultiplyAlpha: 'none',
-        colorSpaceConversion: 'none',
-    });
-    const canvas = new OffscreenCanvas(image.width, image.height);
-    const context = canvas.getContext('2d', { willReadFrequently: true });
-    context.drawImage(image, 0, 0);
-    return {
-        width: image.width,
-        height: image.height,
-        rgba: context.getImageData(0, 0, image.width, image.height).data,
-    };
+/* A texture's bytes: those of a file, a data URI, or of the model itself. null: they were not given. */
+function bytesOf(texture, given) {
+    if (typeof texture !== 'string') return texture;
+    if (texture.startsWith('data:')) return dataUri(texture);
+    return [texture, decoded(texture)].map((at) => given.get(baseName(at).toLowerCase())).find((at) => at) || null;
 }
 
 /* Textures are names of files, data URIs or bytes; what cannot be loaded is said, and its faces are drawn plain. */
 async function loadTextures(model, given) {
     const numbers = [],
         textures = [];
-    for (const texture of model.textures) {
-        let bytes = texture;
-        if (typeof texture === 'string')
-            bytes = texture.startsWith('data:')
-                ? Uint8Array.from(atob(texture.slice(texture.indexOf(',') + 1)), (c) => c.charCodeAt(0))
-                : [texture, decoded(texture)].map((at) => given.get(baseName(at).toLowerCase())).find((at) => at) || null;
+    for (const [i, texture] of model.textures.entries()) {
+        const isFile = typeof texture === 'string' && !texture.startsWith('data:'),
+            name = isFile ? baseName(decoded(texture)) : `${model.name}, picture *${i}`,
+            what = isFile ? texture : `texture ${i + 1}`;
+        let why = `${what} is no picture that this browser reads: its faces are plain`,
+            number = -1;
         try {
-            if (!bytes) throw new Error('missing');
-            textures.push(await decodePicture(bytes));
-            numbers.push(textures.length - 1);
+            const bytes = texture === null ? null : bytesOf(texture, given);
+            if (texture === null) why = `${what} names no picture that is read: its faces are plain`;
+            else if (!bytes) why = `${what} was not given: drop it with the model`;
+            if (bytes) {
+                const { rounded, ...picture } = await decodePicture(bytes);
+                why = rounded ? `colours of ${what} are rounded where it has alpha: there is no WebGL` : '';
+                number = textures.push({ name, ...picture }) - 1;
+            }
         } catch (e) {
-            const what = typeof texture === 'string' && !texture.startsWith('data:') ? texture : 'a texture';
-            model.losses.push(
-                bytes
-                    ? `${what} is no picture that this browser reads: its faces are plain`
-                    : `${what} was not given: drop it with the model`,
-            );
-            numbers.push(-1);
+            /* what `why` says */
         }
+        numbers.push(number);
+        if (why) model.losses.push(why);
     }
     for (const m of model.materials) {
         m.texture = m.texture === undefined ? undefined : numbers[m.texture];

@@ -17,7 +17,8 @@ const VALUE = {
     5126: ['getFloat32', 4, 1],
 };
 
-function dataUri(uri) {
+/** The bytes of a data URI. */
+export function dataUri(uri) {
     const comma = uri.indexOf(','),
         body = decodeURIComponent(uri.slice(comma + 1));
     return Uint8Array.from(/;base64$/.test(uri.slice(0, comma)) ? atob(body) : body, (c) => c.charCodeAt(0));
@@ -280,7 +281,7 @@ class Gltf {
     textures() {
         return (this.json.textures || []).map((t) => {
             const image = (this.json.images || [])[t.source] || {};
-            if (image.bufferView === undefined) return image.uri || '';
+            if (image.bufferView === undefined) return image.uri || null;
             const v = this.json.bufferViews[image.bufferView];
             return this.buffers[v.buffer].subarray(v.byteOffset || 0, (v.byteOffset || 0) + v.byteLength);
         });
