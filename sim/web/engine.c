@@ -134,8 +134,10 @@ WEB_EXPORT(render) int web_render(void)
 {
     struct sim_rendered drawn;
     struct sim_options o = web.chosen;
-    if (!web_has_levels(&o) && o.panel.turns == 0)
+    if (o.panel.name != NULL && !web_has_levels(&o) && o.panel.turns == 0) {
         o.panel.name = NULL; /* its glass shows the frame as it is: web_configure has seen that its driver takes it */
+        o.has_size = 1;      /* the panel's */
+    }
     const int status = draw(&drawn, &web.kept, &web.model, &o);
     if (status == SIM_OK) {
         sim_render_free(&web.drawn);

@@ -82,7 +82,7 @@ export class Engine {
     #c;  // exports
     #said = '';
     #args = {};
-    #panel = '';  // the last one, for the wire of false colours
+    #panel = {};  // the last one, and how it was rotated: for the wire of false colours
     #figured = null;
     #name = '';
 
@@ -269,7 +269,8 @@ export class Engine {
         const answer = this.#ask(() => this.#with(bytes, (at) => this.#c.configure(at, bytes.length, words.length)));
         if (answer.ok) {
             this.#args = args;
-            this.#panel = args.panel ?? (args.falseColors !== undefined ? this.#panel : '');
+            const {panel, rotate} = args;
+            if (panel !== undefined || args.falseColors === undefined) this.#panel = {panel, rotate};
             this.#changed(this.#name);
         }
         return answer;
@@ -340,9 +341,9 @@ export class Engine {
     #figures() {
         if (this.#figured === null) {
             let answer = null;
-            const panel = new TextEncoder().encode((this.#args.panel === undefined ? this.#panel : '') + '\0');
-            const {error} = this.#ask(() => this.#with(panel, (at) => {
-                const text = this.#c.figures(at);
+            const {panel = '', rotate = 0} = this.#args.panel === undefined ? this.#panel : {};
+            const {error} = this.#ask(() => this.#with(new TextEncoder().encode(panel + '\0'), (at) => {
+                const text = this.#c.figures(at, rotate / 90);
                 answer = text !== 0 ? JSON.parse(this.#text(text)) : null;
                 return answer === null ? 1 : 0;
             }));

@@ -101,8 +101,9 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
     (void)fputs("}", f);
 }
 
-/* What a frame takes on every part, through a panel ("": that of the options). NULL: it is refused. */
-WEB_EXPORT(figures) const char *web_figures(const char *panel)
+/* What a frame takes on every part, through a panel ("": that of the options) that is turned by so many times 90
+ * degrees. NULL: it is refused. */
+WEB_EXPORT(figures) const char *web_figures(const char *panel, int turns)
 {
     static struct budget_request rq;
     static struct budget b;
@@ -120,6 +121,7 @@ WEB_EXPORT(figures) const char *web_figures(const char *panel)
     if (panel[0] != '\0' && rq.o.panel.name == NULL) {
         struct pm_glass glass;
         rq.o.panel.name = panel;
+        rq.o.panel.turns = turns;
         if (sim_panel_glass(&rq.o.panel, NULL, &glass) != SIM_OK)
             return NULL;
         rq.o.spi_hz = sim_panel_hz(panel, SIM_PANEL_HZ);

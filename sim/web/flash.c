@@ -221,6 +221,8 @@ static int can_take(const struct sim_drawn_scene *d)
     if (c->width != SIDE || c->height != SIDE ||
         (web.chosen.panel.name != NULL && strcmp(web.chosen.panel.name, "st7789:240x240") != 0))
         return sim_refuse(web.name, 0, "the prebuilt show drives an ST7789 of %dx%d; choose that panel", SIDE, SIDE);
+    if (web.chosen.panel.turns != 0)
+        return sim_refuse(web.name, 0, "the prebuilt show does not turn its panel; leave --rotate 0");
     if (c->method != NULL && c->method != &zs_method_transparent)
         return sim_refuse(web.name, 0, "the prebuilt show has the depth buffer alone; leave --method zbuffer");
     if ((c->subpixel_bits != 0 && c->subpixel_bits != 8) || (c->depth_bits != 0 && c->depth_bits != 16))

@@ -438,6 +438,25 @@ test('web_engine_wrong', (is) => {
 
 // ---- Orbit and speed
 
+// A panel has the size of its picture, whichever way it is turned; false colours of that size have its wire.
+test('web_engine_panel_size', (is) => {
+    configure({});
+    engine.setScene('teapot');
+    const size = () => {
+        const {error, width, height} = engine.render();
+        return error || `${width}x${height}`;
+    };
+    const wire = () => engine.parts().find((one) => one.name === 'rp2040').wireMs;
+    is('upright', [ configure({panel: 'st7789:240x320'}).error, size() ], [ '', '240x320' ]);
+    is('turned', [ engine.configure({rotate: '90'}).error, size() ], [ '', '320x240' ]);
+    const ms = wire();
+    is('false colours', [ configure({width: 320, height: 240, falseColors: 'overdraw'}).error, size(), wire() ],
+        [ '', '320x240', ms ]);
+    is('a show', [ configure({panel: 'st7789:240x240', rotate: '180'}).error,
+                     engine.flash({frames: 8, arena: 100000, flash: 1000000}).error ],
+        [ '', 'teapot: the prebuilt show does not turn its panel; leave --rotate 0' ]);
+});
+
 test('web_engine_orbit', (is) => {
     const {model} = ring(12, 8, {});
     configure({});

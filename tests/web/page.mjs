@@ -513,6 +513,47 @@ await test('web_time_against_error', async () => {
     await settled(p, back);
 });
 
+/* Of a panel that is turned: its size is the other way round, false colours are of that size, and it is measured. */
+await test('web_rotates', async () => {
+    const size = () => p.value('`${document.getElementById("glass").width}x${document.getElementById("glass").height}`');
+    const view = async (name) => {
+        const from = await count(p);
+        await p.value(`document.querySelector('[data-view=${name}]').click()`);
+        await settled(p, from);
+        same(await p.value(text('error')), '', name);
+        return size();
+    };
+    await take(p, 'held.obj', 'held.mtl');
+    await change(p, 'panel', 'st7789:240x320');
+    same(await size(), '240x320', 'upright');
+    const upright = await view('strips');
+    await view('frame');
+    await change(p, 'set-rotate', '90');
+    same(await p.value(text('why-rotate')), '', 'turned');
+    same(await size(), '320x240', 'turned');
+    must((await p.value('location.hash')).includes('rotate=90'), 'the link does not hold it');
+    must((await view('strips')) !== upright, 'false colours are upright');
+    await change(p, 'set-rotate', '');
+    same(await size(), upright, 'false colours, turned back');
+    await change(p, 'set-rotate', '270');
+    await view('frame');
+    same(await size(), '320x240', 'turned the other way');
+    const hash = await p.value('location.hash'),
+        other = await browser.page({ width: 1280, height: 900 });
+    await other.open(url + hash);
+    await other.until(READY);
+    same(await other.value('document.getElementById("glass").width'), 320, 'by the link');
+    await other.send('Page.close');
+    await p.value('document.getElementById("measure").click()');
+    await p.until('!document.getElementById("measure").disabled', 'it is measured');
+    same(await p.value('document.querySelectorAll("#tradeoff tr").length'), 23, 'rows');
+    same(await size(), '320x240', 'afterwards');
+    await change(p, 'panel', '');
+    same(await size(), '320x240', 'of its own size');
+    same(await p.value('document.getElementById("set-rotate").value'), '0', 'not turned');
+    await change(p, 'panel', 'st7789:240x240');
+});
+
 /* Each broken model gives the sentence that zsim gives, and the picture stays. */
 await test('web_bad_sentences', async () => {
     const before = await p.value(SUM),

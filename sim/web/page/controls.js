@@ -93,6 +93,7 @@ export const OF_SCENES = new Set([
     'method',
     'subpixel',
     'fast',
+    'rotate',
     'width',
     'height',
 ]);

@@ -63,6 +63,7 @@ const app = {
     model: null,
     part: '',
     panel: PANELS[0],
+    rotate: undefined /* of the panel, as the option has it */,
     shown: 'frame',
     scale: 0,
     time: 0,
@@ -233,7 +234,8 @@ function configure(changes, by) {
     app.firmware?.stop();
     say('');
     app.modelError = undefined;
-    for (const o of app.engine.options()) {
+    for (const option of app.engine.options()) {
+        const o = option.name === 'rotate' ? { ...option, value: app.rotate } : option;
         app.options.set(o.name, o);
         app.controls.show(o);
     }
@@ -244,16 +246,41 @@ function configure(changes, by) {
 
 const rows = () => app.options.get('strip').value ?? 16;
 
+/* What a view of a panel asks of the engine. False colours do not go through a panel's driver: they are drawn at the
+ * size of its picture. */
+function asked(view, panel = app.panel, rotate = app.rotate) {
+    if (view === 'frame' && panel.name)
+        return { panel: panel.name, rotate, width: undefined, height: undefined, falseColors: undefined };
+    const { width, height } = pictureOf(panel, rotate),
+        falseColors = view === 'frame' ? undefined : view;
+    return { panel: undefined, rotate: undefined, width, height, falseColors };
+}
+
+/* The size of the picture on a panel that is rotated. */
+function pictureOf({ width, height }, rotate) {
+    return rotate === '90' || rotate === '270' ? { width: height, height: width } : { width, height };
+}
+
 function choosePanel(name) {
-    const panel = PANELS.find((p) => p.name === name);
-    const { width, height } = panel.name ? panel : app.panel;
-    if (!configure({ panel: panel.name || undefined, width, height, falseColors: undefined }, 'panel')) {
+    const chosen = PANELS.find((p) => p.name === name);
+    const panel = chosen.name ? chosen : { ...chosen, ...pictureOf(app.panel, app.rotate) };
+    const before = app.rotate;
+    if (!panel.name) app.rotate = undefined;
+    if (!configure(asked('frame', panel), 'panel')) {
+        app.rotate = before;
         id('panel').value = app.panel.name;
         return false;
     }
-    app.panel = { ...panel, width, height };
+    app.panel = panel;
     showPanel();
     return true;
+}
+
+function rotate(value) {
+    const before = app.rotate;
+    app.rotate = value;
+    if (!configure({ ...asked(app.shown), ...(app.panel.name ? {} : { rotate: value }) }, 'rotate'))
+        app.rotate = before;
 }
 
 function showPanel() {
@@ -266,14 +293,10 @@ function showPanel() {
     chooseView('frame');
 }
 
-/* False colours do not go through a panel's driver: they are drawn at its size. */
 function chooseView(name) {
-    const p = app.panel,
-        plain = name === 'frame';
-    const panel = plain && p.name ? p.name : undefined;
-    if (!configure({ panel, width: p.width, height: p.height, falseColors: plain ? undefined : name })) return;
+    if (!configure(asked(name))) return;
     app.shown = name;
-    id('board').classList.toggle('round', !!p.round && plain);
+    id('board').classList.toggle('round', !!app.panel.round && name === 'frame');
     for (const b of id('views').children) b.setAttribute('aria-pressed', String(b.dataset.view === name));
 }
 
@@ -525,12 +548,13 @@ async function start() {
             }
             return;
         }
-        configure({ [name]: value }, name);
+        if (name === 'rotate') rotate(value);
+        else configure({ [name]: value }, name);
     });
     app.stage = new Stage(want);
     for (const o of app.engine.options()) app.options.set(o.name, o);
     const link = readLink(),
-        typed = takeLink(link);
+        { rotate: turned, ...typed } = takeLink(link);
     app.engineScenes = app.engine.scenes().filter((s) => !s.bench);
     const first =
         app.engineScenes.find((s) => s.name === link.scene) ||
@@ -544,13 +568,19 @@ async function start() {
     showPanel();
     if (Object.keys(typed).length > 0 && !configure(typed))
         for (const [name, value] of Object.entries(typed)) configure({ [name]: value }, name);
+    if (turned !== undefined) rotate(turned);
     if (shown && shown !== 'frame') chooseView(shown);
     markScene();
     listen();
     draw();
     figures();
     app.tradeoff = new Tradeoff(
-        () => ({ engine: app.engine, part: app.part, what: app.scene || (app.model && app.model.name) || '' }),
+        () => ({
+            engine: app.engine,
+            part: app.part,
+            view: asked('wrong'),
+            what: app.scene || (app.model && app.model.name) || '',
+        }),
         draw,
     );
     app.firmware = new Firmware(

@@ -19,9 +19,10 @@ const textOf = ({ kind, set }) =>
     set.depthBits ? `${kind}, ${set.depthBits} bits` : kind === 'strip' ? `strips of ${set.strip} rows` :
         `${set.subpixel} ${kind}`;
 
-/* Draw with a change, take the figures of it, and put back what was there. null: it was refused. */
-function measure(engine, part, set) {
-    const changes = { ...set, falseColors: 'wrong', panel: undefined };
+/* Draw the view of wrong pixels with a change, take the figures of it, and put back what was there. null: it was
+ * refused. */
+function measure({ engine, part, view }, set) {
+    const changes = { ...set, ...view };
     const before = {};
     for (const o of engine.options()) if (o.name in changes) before[o.name] = o.value;
     let point = null;
@@ -97,7 +98,8 @@ function table(points) {
             .map((p) => row('td', p.text, p.ms.toFixed(2), p.wrong.toLocaleString('en-US'))));
 }
 
-/** The picture. current: gives the engine and the part; ended: called when the engine's frame has to be drawn again. */
+/** The picture. current: gives the engine, the part, what is drawn, and what the view of wrong pixels asks of the
+ * engine; ended: called when the engine's frame has to be drawn again. */
 export class Tradeoff {
     #points = [];
     #trail = [];
@@ -117,15 +119,15 @@ export class Tradeoff {
         id('measure').disabled = true;
         this.#points = [];
         this.#trail = [];
-        const { engine, part, what } = this.current();
-        this.#of = part + what;
-        this.#now = measure(engine, part, {});
+        const of = this.current();
+        this.#of = of.part + of.what;
+        this.#now = measure(of, {});
         for (let i = 0; i < TRIED.length; i++) {
             id('tradeoff-say').textContent = `Drawn ${i} of ${TRIED.length} ways…`;
             await new Promise((go) => setTimeout(go));
-            const { engine: e, part: p, what: w } = this.current();
-            if (p + w !== this.#of) break; /* another scene or part: what was measured is not comparable */
-            const point = measure(e, p, TRIED[i].set);
+            const now = this.current();
+            if (now.part + now.what !== this.#of) break; /* what was measured is not comparable */
+            const point = measure(now, TRIED[i].set);
             if (point) this.#points.push({ ...point, ...TRIED[i], text: textOf(TRIED[i]) });
         }
         this.#busy = false;
@@ -136,15 +138,15 @@ export class Tradeoff {
 
     /** What is set has changed. */
     follow() {
-        const { engine, part, what } = this.current();
+        const of = this.current();
         if (this.#busy || this.#points.length === 0) return;
-        if (part + what !== this.#of) {
+        if (of.part + of.what !== this.#of) {
             this.#points = [];
             id('tradeoff').replaceChildren();
             id('tradeoff-say').textContent = 'Measure again: this is another scene or part.';
             return;
         }
-        const now = measure(engine, part, {});
+        const now = measure(of, {});
         if (!now) return;
         if (this.#now && (now.ms !== this.#now.ms || now.wrong !== this.#now.wrong))
             this.#trail = [...this.#trail, this.#now].slice(-12);
