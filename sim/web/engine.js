@@ -65,6 +65,8 @@ function paintNumbers(paint) {
         flag(paint.twoSided, 1) | flag(paint.unlit, 2) | flag(paint.clampU, 4) | flag(paint.clampV, 8) |
             flag(paint.saysAlpha, 16) | flag(paint.mirrorU, 32) | flag(paint.mirrorV, 64),
         paint.texture ?? -1,
+        ...(paint.textured ? [ ...(paint.textured.specular ?? [ 0, 0, 0 ]), paint.textured.power ?? 0 ] :
+                             [ 0, 0, 0, -1 ]),
     ];
 }
 
@@ -192,8 +194,10 @@ export class Engine {
      * @typedef {{name?: string, color?: number[], emission?: number[], specular?: number[], power?: number,
      *            opacity?: number, alpha?: 'opaque'|'mask'|'blend', alphaLeast?: number, twoSided?: boolean,
      *            unlit?: boolean, texture?: number, textureFactor?: number[], clampU?: boolean, clampV?: boolean,
-     *            mirrorU?: boolean, mirrorV?: boolean, saysAlpha?: boolean}} Material
-     *   texture: into textures; saysAlpha: its format says what alpha does
+     *            mirrorU?: boolean, mirrorV?: boolean, saysAlpha?: boolean,
+     *            textured?: {specular?: number[], power?: number}}} Material
+     *   texture: into textures; saysAlpha: its format says what alpha does; textured: highlights where the texture is
+     *   drawn, if they are others
      * @typedef {{name?: string, width: number, height: number, rgba: Uint8Array|Uint8ClampedArray}} Texture
      * @returns {Answer & {losses: string[]}} losses: what of the file is not carried over */
     setModel(model) {
@@ -222,7 +226,7 @@ export class Engine {
             put(5, Uint32Array, model.triMaterial, tris);
             paints.forEach((paint, i) => {
                 const at = this.#with(name(paint.name), (text) => c.model_paint(i, text));
-                new Float64Array(c.memory.buffer, at, 18).set(paintNumbers(paint));
+                new Float64Array(c.memory.buffer, at, 22).set(paintNumbers(paint));
             });
             images.forEach((image, i) => {
                 const at = this.#with(name(image.name), (text) => c.model_image(i, text, image.width, image.height));

@@ -56,6 +56,14 @@ static int has_flag(const struct web_paint *p, enum web_paint_flag flag)
     return (int)p->flags / flag % 2;
 }
 
+static void set_highlights(struct sim_material *to, const double rgb[3], double power)
+{
+    to->specular = to_rgb(rgb);
+    to->power = is_black(to->specular) || !(power >= 1.0) ? 0 : (uint8_t)fmin(power, 128.0);
+    if (to->power == 0)
+        to->specular = (struct zs_rgb){ 0, 0, 0 };
+}
+
 static void take_paint(struct sim_material *to, const struct web_paint *p, const char *name,
                        const struct sim_want *want)
 {
@@ -72,11 +80,8 @@ static void take_paint(struct sim_material *to, const struct web_paint *p, const
     to->alpha_least = to->alpha_least > 0 ? to->alpha_least : 1;
     to->two_sided = (uint8_t)has_flag(p, WEB_TWO_SIDED);
     to->unlit = (uint8_t)has_flag(p, WEB_UNLIT);
-    to->specular = to_rgb(p->specular);
-    to->power = is_black(to->specular) || !(p->power >= 1.0) ? 0 : (uint8_t)fmin(p->power, 128.0);
+    set_highlights(to, p->specular, p->power);
     to->texture = SIM_NO_TEXTURE;
-    if (to->power == 0)
-        to->specular = (struct zs_rgb){ 0, 0, 0 };
     if (want->color == NULL && is_black(to->rgb) &&
         !is_black(to->emission)) { /* it shines, and that is all */
         to->rgb = to->emission;
@@ -172,6 +177,8 @@ static int add_textures(struct sim_model *model, const struct web_given *g, enum
                                  wrap == SIM_WRAP_FILE ? double_texture(model, g, used, i) : 0u);
         model->material[i].texture = same < i ? model->material[same].texture
                                               : model->n_textures - 1;
+        if (p->textured[3] >= 0.0)
+            set_highlights(&model->material[i], p->textured, p->textured[3]);
     }
     free(used);
     return status;

@@ -17,6 +17,7 @@ struct web_paint {
     double alpha_mode;                       /* enum sim_alpha */
     double flags;                            /* of enum web_paint_flag */
     double texture;                          /* its number; < 0: none */
+    double textured[4];                      /* specular and power where it is drawn; power < 0: the same */
 };
 enum web_paint_flag {
     WEB_TWO_SIDED = 1,

@@ -39,6 +39,7 @@ void web_model_begin(const char *name, uint32_t n_verts, uint32_t n_tris, uint32
                                               .opacity = 1.0,
                                               .alpha_least = 0.5,
                                               .texture = -1.0,
+                                              .textured = { [3] = -1.0 },
                                               .factor = { 1.0, 1.0, 1.0 } };
         coming.paint_name[i] = sim_alloc(1, 1);
     }

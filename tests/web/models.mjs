@@ -1,7 +1,8 @@
 /* Models of each format that the page reads, of one ring, with a texture where the format has one.
  *
  * Usage: node tests/web/models.mjs FOLDER: ring.obj, ring.mtl, ring.png, ring.stl, ring.ply, big.ply, ring.glb,
- * opaque.glb, blend.glb, mirrored.glb, sparse.glb, strip.glb, draco.gltf; and into FOLDER/bad what nothing can be made of
+ * opaque.glb, blend.glb, mirrored.glb, sparse.glb, strip.glb, draco.gltf; and into FOLDER/bad what nothing can be made
+ * of
  *
  * SPDX-License-Identifier: MIT
  */

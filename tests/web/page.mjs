@@ -515,7 +515,7 @@ await test('web_time_against_error', async () => {
 
 /* Of a panel that is turned: its size is the other way round, false colours are of that size, and it is measured. */
 await test('web_rotates', async () => {
-    const size = () => p.value('`${document.getElementById("glass").width}x${document.getElementById("glass").height}`');
+    const size = () => p.value('(({ width, height }) => `${width}x${height}`)(document.getElementById("glass"))');
     const view = async (name) => {
         const from = await count(p);
         await p.value(`document.querySelector('[data-view=${name}]').click()`);

@@ -44,8 +44,8 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# a face that is not there\nf 1 2 9\
 broken=$work/bad
 mkdir -p "$broken"
 node tests/web/models.mjs "$work" || bad web_models "they could not be made"
-for model in glass.obj held.obj ring.obj ring.stl ring.ply big.ply ring.glb opaque.glb blend.glb mirrored.glb sparse.glb \
-    strip.glb; do
+for model in glass.obj held.obj ring.obj ring.stl ring.ply big.ply ring.glb opaque.glb blend.glb mirrored.glb \
+    sparse.glb strip.glb; do
     "$build/zsim" render "$work/$model" --panel st7789:240x240 --out "$work/$model.png" 2>"$work/zsim.log" ||
         bad "web_zsim_$model" "zsim render: $(head -c 300 "$work/zsim.log")"
 done

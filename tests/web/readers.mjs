@@ -146,9 +146,30 @@ for (const [ name, material, attributes ] of [
          [ 'the_second_coordinates', {pbrMetallicRoughness: {baseColorTexture: {...texture, texCoord: 1}}} ],
          [ 'colours_of_one_mesh', {}, {COLOR_0: 3} ],
          [ 'colours_times_a_colour', {pbrMetallicRoughness: {baseColorFactor: [ .5, .9, .2, 1 ]}}, {COLOR_0: 3} ],
+         [ 'a_metal_with_a_texture', {pbrMetallicRoughness: {baseColorTexture: texture, roughnessFactor: 0.8,
+             baseColorFactor: [ 1, .4, .3, 1 ]}} ],
          [ 'colours_and_black', {pbrMetallicRoughness: {baseColorFactor: [ 0, 0, 0, 1 ]}}, {COLOR_0: 3} ],
      ])
     await same(name, {[`${name}.gltf`]: gltf({doubleSided: true, ...material}, attributes)});
+const glossy = 'KHR_materials_pbrSpecularGlossiness';
+for (const [ name, says ] of [ [ 'diffuse', {diffuseFactor: [ .2, .8, .3, 1 ]} ],
+         [ 'diffuse_texture', {diffuseTexture: texture} ] ]) {
+    const model = JSON.parse(gltf({doubleSided: true, extensions: {[glossy]: says}}));
+    await same(`an_extension_that_is_not_used_of_a_${name}`, {[`${name}_plain.gltf`]: JSON.stringify(model)});
+    model.extensionsUsed.push(glossy);
+    await same(`specular_glossiness_of_a_${name}`, {[`${name}.gltf`]: JSON.stringify(model)});
+}
+{ // normals of bytes, of which -128 is -1, too: where highlights are is seen best
+    const model = JSON.parse(gltf({doubleSided: true, pbrMetallicRoughness: {roughnessFactor: 0.3}}, {NORMAL: 5}));
+    const normals = Int8Array.from({length: 24}, (_, i) => [ -128, 40, 90, 0 ][i % 4] * (i < 12 ? 1 : -0.5));
+    model.buffers.push({uri: `data:application/octet-stream;base64,${Buffer.from(normals.buffer).toString('base64')}`,
+        byteLength: 24});
+    model.bufferViews.push({buffer: 1, byteLength: 24, byteStride: 4});
+    model.accessors.push({bufferView: 5, componentType: 5120, normalized: true, count: 6, type: 'VEC3'});
+    model.extensionsUsed.push('KHR_mesh_quantization');
+    model.extensionsRequired = [ 'KHR_mesh_quantization' ];
+    await same('normals_of_bytes', {'bytes.gltf': JSON.stringify(model)});
+}
 {
     const textured = JSON.parse(gltf({pbrMetallicRoughness: {baseColorTexture: {index: 0}}}));
     delete textured.materials[1].doubleSided;
@@ -161,5 +182,14 @@ for (const [ name, material, attributes ] of [
         `texture 1 names no picture that is read${plain}`);
     await losses('names_pictures_that_are_none', {'broken.gltf': file({uri: 'data:image/png;base64,QUJD'})},
         `texture 1 is no picture that this browser reads${plain}`);
+}
+{
+    const empty = JSON.parse(gltf({}));
+    empty.scenes = [ {} ];
+    const given = [ bytes('empty.gltf', JSON.stringify(empty)) ];
+    const said = await readModel(given).then(() => '', (error) => error.message);
+    const right = said === 'empty.gltf: no faces in it; zsim draws polygons'; // as zsim says of one with []
+    console.log(right ? 'ok web_refuses_scenes_without_nodes' : `FAILED web_refuses_scenes_without_nodes: ${said}`);
+    failed |= !right;
 }
 process.exit(failed);

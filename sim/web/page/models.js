@@ -24,6 +24,14 @@ function bytesOf(texture, given) {
     return [texture, decoded(texture)].map((at) => given.get(baseName(at).toLowerCase())).find((at) => at) || null;
 }
 
+/* The mean colour of a picture, which is times a factor. */
+function meanOf(rgba, factor) {
+    const sum = [0, 0, 0];
+    for (let i = 0; i < rgba.length; i += 4)
+        for (let k = 0; k < 3; k++) sum[k] += Math.round(rgba[i + k] * Math.min(Math.max(factor[k], 0), 1));
+    return sum.map((s) => s / (255 * (rgba.length / 4)));
+}
+
 /* Textures are names of files, data URIs or bytes; what cannot be loaded is said, and its faces are drawn plain. */
 async function loadTextures(model, given) {
     const numbers = [],
@@ -52,6 +60,7 @@ async function loadTextures(model, given) {
     for (const m of model.materials) {
         m.texture = m.texture === undefined ? undefined : numbers[m.texture];
         if (m.texture === undefined || m.texture < 0) delete m.texture;
+        else if (m.shineOf) m.textured = m.shineOf(meanOf(textures[m.texture].rgba, m.textureFactor));
     }
     model.textures = textures;
     return model;

@@ -131,7 +131,7 @@ class Gltf {
             const row = [];
             for (let k = 0; k < n; k++) {
                 const raw = view[type[0]](start + i * stride + k * type[1], true);
-                row.push(a.normalized ? raw / type[2] : raw);
+                row.push(a.normalized ? Math.max(raw / type[2], -1) : raw);
             }
             out.push(row);
         }
@@ -144,7 +144,7 @@ class Gltf {
             this.losses.add('points and lines are left out');
             return;
         }
-        if (p.material !== undefined && !(this.json.materials || [])[p.material]) this.fail(NOT_THERE);
+        if (p.material !== undefined && !this.materialOf(p)) this.fail(NOT_THERE);
         if (p.extensions && p.extensions.KHR_draco_mesh_compression)
             this.fail('its meshes are compressed by Draco, which is not read; export it without');
         if (p.attributes.POSITION === undefined) return;
@@ -188,19 +188,37 @@ class Gltf {
         }
     }
 
+    /* What an object says by an extension that the file says it uses; else undefined. */
+    extension(of, name) {
+        return (this.json.extensionsUsed || []).includes(name) ? of.extensions?.[name] : undefined;
+    }
+
+    /* A material's numbers: its base colour, which its texture is times; its own colour; its texture. */
+    looksOf(m = {}) {
+        const pbr = m.pbrMetallicRoughness || {},
+            glossy = this.extension(m, 'KHR_materials_pbrSpecularGlossiness'),
+            base = pbr.baseColorFactor || [1, 1, 1, 1];
+        const color = glossy ? glossy.diffuseFactor || [1, 1, 1, 1] : base;
+        return { pbr, base, color, map: pbr.baseColorTexture || glossy?.diffuseTexture };
+    }
+
+    materialOf(p) {
+        return (this.json.materials || [])[p.material];
+    }
+
     /* Of a primitive's vertices: times its material's colour, in single precision as zsim has it. */
     colorsOf(p) {
-        const base = (this.json.materials || [])[p.material]?.pbrMetallicRoughness?.baseColorFactor || [1, 1, 1];
-        const black = base.slice(0, 3).every((c) => Math.round(255 * c) <= 0);
+        const { color } = this.looksOf(this.materialOf(p));
+        const black = color.slice(0, 3).every((c) => Math.round(255 * c) <= 0);
         if (p.attributes.COLOR_0 === undefined || black) return null;
         return this.rows(p.attributes.COLOR_0).map((row) => row.map((c, k) =>
-            (k < 3 ? Math.fround(Math.fround(c) * Math.fround(base[k])) : c)));
+            (k < 3 ? Math.fround(Math.fround(c) * Math.fround(color[k])) : c)));
     }
 
     /* Of a primitive: those that its texture names, as KHR_texture_transform moves them. */
     uvsOf(p) {
-        const map = ((this.json.materials || [])[p.material]?.pbrMetallicRoughness || {}).baseColorTexture || {},
-            by = (map.extensions || {}).KHR_texture_transform,
+        const { map = {} } = this.looksOf(this.materialOf(p)),
+            by = this.extension(map, 'KHR_texture_transform'),
             from = p.attributes[`TEXCOORD_${by?.texCoord ?? map.texCoord ?? 0}`];
         if (from === undefined) return null;
         const { offset: [x, y] = [0, 0], scale: [sx, sy] = [1, 1], rotation = 0 } = by || {},
@@ -218,9 +236,7 @@ class Gltf {
         const { scenes = [], nodes = [], scene = 0 } = this.json;
         const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
         if (!scenes[scene]) this.fail('no scene in it; export the model again');
-        const stack = [...((scenes[scene] || {}).nodes || nodes.map((_, i) => i))]
-            .reverse()
-            .map((n) => [n, identity, 0]);
+        const stack = [...(scenes[scene].nodes || [])].reverse().map((n) => [n, identity, 0]);
         while (stack.length > 0) {
             const [number, parent, depth] = stack.pop(),
                 node = nodes[number];
@@ -242,11 +258,10 @@ class Gltf {
 
     materials() {
         const out = (this.json.materials || []).map((m, i) => {
-            const pbr = m.pbrMetallicRoughness || {},
-                base = pbr.baseColorFactor || [1, 1, 1, 1];
+            const { pbr, base, color, map } = this.looksOf(m);
             const made = {
                 name: m.name || `material ${i + 1}`,
-                color: base.slice(0, 3),
+                color: color.slice(0, 3),
                 opacity: m.alphaMode === 'BLEND' ? base[3] : 1,
                 alpha: (m.alphaMode || 'OPAQUE').toLowerCase(),
                 alphaLeast: (m.alphaCutoff ?? 0.5) / (base[3] || 1), // texels are times its alpha
@@ -254,11 +269,12 @@ class Gltf {
                 saysAlpha: true,
                 textureFactor: base.slice(0, 3),
             };
-            if (pbr.baseColorTexture) Object.assign(made, this.texture(pbr.baseColorTexture.index));
+            if (map) Object.assign(made, this.texture(map.index));
             if (m.emissiveFactor && !m.emissiveTexture && m.emissiveFactor.some((c) => c > 0))
                 made.emission = m.emissiveFactor;
-            Object.assign(made, shineOf(pbr, base));
-            if (m.extensions && m.extensions.KHR_materials_unlit) made.unlit = true;
+            Object.assign(made, shineOf(pbr, color.map(toByte)));
+            if (pbr.metallicFactor !== 0) made.shineOf = (mean) => shineOf(pbr, mean);
+            if (m.extensions?.KHR_materials_unlit) made.unlit = true;
             return made;
         });
         if (this.usesPlain) out.push({ name: '', color: [1, 1, 1], opacity: 1, alpha: 'opaque', saysAlpha: true });
@@ -288,13 +304,15 @@ class Gltf {
     }
 }
 
+/* A colour as a byte has it. */
+const toByte = (c) => Math.round(255 * Math.min(Math.max(Math.fround(c), 0), 1)) / 255;
+
 /* Metallic-roughness as Blinn-Phong: set_roughness of sim/load/material.c. */
 function shineOf({ roughnessFactor: rough = 1, metallicFactor = 1 }, base) {
     const metal = Math.min(Math.max(Math.fround(metallicFactor), 0), 1),
         r = Math.fround(rough),
         power = Math.min(2 / Math.max(r, 0.1) ** 4 - 2, 128),
-        byte = (c) => Math.round(255 * Math.min(Math.max(Math.fround(c), 0), 1)) / 255,
-        rgb = base.slice(0, 3).map((c) => ((0.04 + metal * (byte(c) - 0.04)) * (power + 8)) / 8),
+        rgb = base.slice(0, 3).map((c) => ((0.04 + metal * (c - 0.04)) * (power + 8)) / 8),
         most = Math.max(...rgb);
     if (!(r < 0.95 && most >= 0.1 && power >= 1)) return {};
     return { specular: rgb.map((c) => c / Math.max(most, 1)), power };
@@ -317,7 +335,7 @@ function cofactors(m) {
 }
 
 /** Read glTF. other: the bytes of a file that it names, or null. @return what engine.setModel takes; textures are names
- * of files, data URIs or bytes */
+ * of files, data URIs, bytes, or null: none; a material's shineOf gives its highlights by the mean of its texture */
 export function readGltf(name, bytes, other = () => null) {
     const binary = bytes.length >= 4 && String.fromCharCode(...bytes.subarray(0, 4)) === 'glTF';
     const { json, bin } = binary ? splitGlb(name, bytes) : { json: new TextDecoder().decode(bytes), bin: null };
