@@ -93,11 +93,28 @@ async function losses(name, files, wanted) {
     console.log(said === wanted ? `ok web_${name}` : `FAILED web_${name}: ${said}`);
     failed |= said !== wanted;
 }
-await losses('names_moved_textures', {
-    'moved.obj': `mtllib moved.mtl\n${points}usemtl t\n${faces[0]}\n`,
-    'moved.mtl': 'newmtl t\nmap_Kd -o 0.25 0 -s 2 2 -bm 0.5 moved.png\n',
-    'moved.png': picture,
-}, '-s and -o of map_Kd are left out');
+for (const map of [ 'map_d other.png', 'map_Bump bump.png', 'norm normal.png' ])
+    await losses(`names_${map.split(' ')[0]}`, {
+        'mask.obj': `mtllib mask.mtl\n${points}usemtl t\n${faces[0]}\n`,
+        'mask.mtl': `newmtl t\nmap_Kd mask.png\n${map}\n`,
+        'mask.png': picture,
+    }, 'maps other than map_Kd are left out');
+for (const [ name, options ] of [ [ 'moved', '-o 0.25 0 -S 2 3 1 -bm 0.5' ], [ 'clamped', '-clamp on -s 1.5' ],
+         [ 'with_more_options', '-imfchan r -mm 0 1 -t 1 1 1 -cc off -type cube_top -o 0.5 0.25 0' ] ])
+    await same(`a_texture_${name}`, {
+        [`${name}.obj`]: `mtllib ${name}.mtl\n${points}usemtl t\n${faces[0]}\nusemtl none\n${faces[1]}\n`,
+        [`${name}.mtl`]: `newmtl t\nmap_Kd ${options} ${name}.png\n`,
+        [`${name}.png`]: picture,
+    });
+for (const [ name, words ] of Object.entries({
+         faint_highlights: 'Kd .3 .3 .6\nKs .05 .05 .05\nNs 30', wide_highlights: 'Kd .3 .3 .6\nKs .5 .5 .5\nNs .5',
+         bright_highlights: 'Kd .3 .3 .3\nKs 2 1 0\nNs 5', grey_highlights: 'Kd .3 .3 .3\nKs .4\nNs 5 # wide',
+         no_colour: 'illum 2', a_colour_of_one_number: 'Kd 0.5', what_is_no_number: 'Kd 0.5 nan 0.5',
+     }))
+    await same(name, {
+        [`${name}.obj`]: `mtllib ${name}.mtl\nmg 1 2\n${points}usemtl m\n${faces.join('\n')}\n`,
+        [`${name}.mtl`]: `newmtl m\n${words}\n`,
+    });
 for (const [ name, file, kd ] of [ [ 'blanks', 'my picture.png', '1 1 1' ], [ 'a_percent_sign', '100%.png', '1 1 1' ],
          [ 'a_factor_beyond_1', 'plain.png', '2 2 2' ] ])
     await same(`a_texture_with_${name}`, {

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-import { BadModel, Corners } from './read_text.js';
+import { BadModel, Corners, highlightsOf } from './read_text.js';
 
 const NO_FACES = 'no faces in it; zsim draws polygons',
     NOT_THERE = 'it names parts that are not there; export the model again',
@@ -312,10 +312,8 @@ function shineOf({ roughnessFactor: rough = 1, metallicFactor = 1 }, base) {
     const metal = Math.min(Math.max(Math.fround(metallicFactor), 0), 1),
         r = Math.fround(rough),
         power = Math.min(2 / Math.max(r, 0.1) ** 4 - 2, 128),
-        rgb = base.slice(0, 3).map((c) => ((0.04 + metal * (c - 0.04)) * (power + 8)) / 8),
-        most = Math.max(...rgb);
-    if (!(r < 0.95 && most >= 0.1 && power >= 1)) return {};
-    return { specular: rgb.map((c) => c / Math.max(most, 1)), power };
+        rgb = base.slice(0, 3).map((c) => ((0.04 + metal * (c - 0.04)) * (power + 8)) / 8);
+    return r < 0.95 ? highlightsOf(rgb, power) : {};
 }
 
 /* How normals go with a placement: its cofactors, with the sign that keeps outside outside. */

@@ -2,45 +2,79 @@
  *
  * SPDX-License-Identifier: MIT
  */
-import { BadModel, Corners } from './read_text.js';
+import { BadModel, Corners, highlightsOf } from './read_text.js';
 
-/* What stands before a picture's name in a map_ line. */
-const MAP_OPTIONS =
-    /^(-(s|o|t|mm|bm|texres|boost)(\s+[-+]?[\d.]+(e[-+]?\d+)?)+\s+|-(clamp|blendu|blendv|cc)\s+(on|off)\s+|-imfchan\s+\S\s+)+/i;
+/* The finite numbers that words begin with, `most` of them at most. */
+function numbersOf(words, most) {
+    const n = words.findIndex((w) => !/^[-+.\d]/.test(w) || !Number.isFinite(Number(w)));
+    return words.slice(0, Math.min(most, n < 0 ? words.length : n)).map(Number);
+}
 
-/** Materials of an MTL file by name: kd, ke, ks, ns, d, map. */
+/* Options of a map line that take one word, whatever it is. */
+const ONE = /^-(blendu|blendv|boost|texres|bm|imfchan|type|cc)$/i;
+
+/* What a map_Kd line says: options, then a name, which may hold blanks. Texture coordinates are times scale, plus
+ * shift. */
+function mapOf(said) {
+    const map = { scale: [1, 1], shift: [0, 0], clamp: false };
+    let rest = said;
+    for (;;) {
+        const [option, ...words] = rest.split(/\s+/),
+            most = { '-s': 3, '-o': 3, '-t': 3, '-mm': 2 }[option.toLowerCase()],
+            numbers = most ? numbersOf(words, most) : [];
+        const skip = most ? numbers.length : 1;
+        if (/^-s$/i.test(option)) numbers.slice(0, 2).forEach((v, k) => (map.scale[k] = v));
+        else if (/^-o$/i.test(option)) numbers.slice(0, 2).forEach((v, k) => (map.shift[k] = v));
+        else if (/^-clamp$/i.test(option)) map.clamp = /^on$/i.test(words[0] || '');
+        else if (!most && !ONE.test(option)) return { ...map, name: rest }; /* or it begins with a minus */
+        rest = rest.replace(new RegExp(`^(\\S+\\s*){${skip + 1}}`), '');
+    }
+}
+
+/** Materials of an MTL file by name: as setModel takes them; what their texture is, its factor, and map_d. */
 export function readMtl(text) {
     const materials = new Map();
     let now = null;
-    for (const raw of text.split(/\r\n|\n|\r/)) {
-        const word = raw.replace(/#.*/, '').trim().split(/\s+/);
-        const key = word[0].toLowerCase();
-        const numbers = word.slice(1).map(Number);
-        if (key === 'newmtl') {
-            now = { name: raw.trim().slice(6).trim(), color: [1, 1, 1] };
-            materials.set(now.name, now);
-        } else if (now === null) {
-            continue;
-        } else if (key === 'kd' && numbers.length >= 3) {
-            now.color = numbers.slice(0, 3);
-        } else if (key === 'ke' && numbers.length >= 3) {
-            now.emission = numbers.slice(0, 3);
-        } else if (key === 'ks' && numbers.length >= 3) {
-            now.specular = numbers.slice(0, 3);
-        } else if (key === 'ns') {
-            now.power = numbers[0];
-        } else if (key === 'd' && Number.isFinite(numbers[0])) {
-            now.opacity = numbers[0];
-        } else if (key === 'tr' && Number.isFinite(numbers[0])) {
-            now.opacity = 1 - numbers[0];
-        } else if (key === 'map_kd') {
-            const said = raw.trim().slice(6).trim();
-            now.map = said.replace(MAP_OPTIONS, '');
-            now.moved = /-[so]\s/i.test(said.slice(0, said.length - now.map.length));
-        }
+    for (const raw of text.replace(/^\ufeff/, '').split(/[\r\n]/)) {
+        const [key, ...words] = raw.trim().split(/\s+/),
+            said = raw.trim().slice(key.length).trim(),
+            numbers = numbersOf(words, 3);
+        const all = numbers.length > 0 ? [0, 1, 2].map((k) => numbers[Math.min(k, numbers.length - 1)]) : null;
+        const is = (word) => key.toLowerCase() === word;
+        if (is('newmtl')) {
+            now = { name: said, color: [0.6, 0.6, 0.6], factor: [1, 1, 1], power: 0 }; /* as assimp has them */
+            materials.set(said, now);
+        } else if (now === null) continue;
+        else if (is('kd') && all)
+            Object.assign(now, { factor: all, color: [0, 1, 2].map((k) => Number(words[k]) || 0) });
+        else if (is('ke') && all) now.emission = all;
+        else if (is('ks') && all) now.specular = all;
+        else if (is('ns') && all) [now.power] = numbers;
+        else if ((is('d') || is('tr')) && all) now.opacity = is('d') ? numbers[0] : 1 - numbers[0];
+        else if (is('map_kd')) now.map = said ? mapOf(said) : undefined;
+        else if (is('map_d')) now.mask = said ? mapOf(said).name : undefined;
+        else if (/^(map_(?!aat$)|(bump|norm|disp|refl|decal)$)/i.test(key)) now.others = true;
     }
     return materials;
 }
+
+/* A material of an MTL file as it is drawn: set_specular and take_mtl of sim/load/material.c. */
+function lookOf({ map, mask, others, factor, specular = [0, 0, 0], power, opacity = 1, ...rest }) {
+    const d = Math.min(Math.max(opacity, 0), 1),
+        clear = Math.floor(255 * d + 0.5) < 255;
+    return {
+        ...rest,
+        ...highlightsOf(specular, power),
+        opacity: d,
+        alpha: clear ? 'blend' : mask ? 'mask' : 'opaque',
+        clampU: map?.clamp,
+        clampV: map?.clamp,
+        textureFactor: factor.some((c) => c !== 0) ? factor.map((c) => Math.min(Math.max(c, 0), 1)) : undefined,
+    };
+}
+
+/* Texture coordinates as a map's options move them. */
+const moved = (uv, map) => (map ? uv.map((c, k) => map.scale[k] * c + map.shift[k]) : uv);
 
 /** Read an OBJ.
  * @param {string} name of the file, for messages
@@ -57,6 +91,7 @@ export function readObj(name, text, other = () => null) {
     const lost = new Set();
     let library = new Map();
     const materials = [],
+        moves = [] /* of their texture coordinates */,
         numberOf = new Map(),
         textures = [];
     let material = 0;
@@ -94,14 +129,13 @@ export function readObj(name, text, other = () => null) {
     const use = (wanted) => {
         if (!numberOf.has(wanted)) {
             const from = library.get(wanted);
-            const made = from ? { ...from } : { name: wanted };
-            if (from && from.map !== undefined && from.color.some((c) => c > 0))
-                made.textureFactor = from.color.map((c) => Math.min(c, 1));
-            if (made.map !== undefined) {
-                if (made.moved) lost.add('-s and -o of map_Kd');
-                made.texture = textures.indexOf(made.map);
-                if (made.texture < 0) made.texture = textures.push(made.map) - 1;
+            const made = from ? lookOf(from) : { name: wanted };
+            if (from?.map) {
+                made.texture = textures.indexOf(from.map.name);
+                if (made.texture < 0) made.texture = textures.push(from.map.name) - 1;
             }
+            if (from?.others || (from?.mask && from.mask !== from.map?.name)) lost.add('maps other than map_Kd');
+            moves.push(from?.map ?? null);
             numberOf.set(wanted, materials.push(made) - 1);
         }
         material = numberOf.get(wanted);
@@ -139,7 +173,7 @@ export function readObj(name, text, other = () => null) {
     for (let at = 0; at < lines.length; at++) {
         const line = at + goesOn;
         goesOn += lines[at].split('\x01').length - 1;
-        const body = lines[at].split('#', 1)[0].replaceAll('\x01', '').trim();
+        const body = lines[at].replace(/(^|[\s\x01])#.*/, '').replaceAll('\x01', '').trim();
         if (body === '') continue;
         const word = body.split(/\s+/);
         if (word[0] === 'v') {
@@ -160,12 +194,6 @@ export function readObj(name, text, other = () => null) {
             continue;
         } else if (word[0] === 'l' || word[0] === 'p') {
             lost.add('lines and points');
-        } else if (
-            !/^(o|g|s|vp|usemap|lod|bevel|c_interp|d_interp)$/.test(word[0]) &&
-            points.length === 0 &&
-            line > 20
-        ) {
-            fail(line, `'${word[0].slice(0, 20)}' is no element of OBJ text`);
         }
     }
     const beyond = (line, what, n, all) => fail(line, `${what} index ${n} is out of range: the file has ${all.length}`);
@@ -178,7 +206,13 @@ export function readObj(name, text, other = () => null) {
     for (const face of faces)
         corners.polygon(
             face.corners.map(({ p, t, n }) =>
-                corners.vertex(`${p}/${t}/${n}`, points[p], normals[n] ?? null, uvs[t] ?? null, tints[p]),
+                corners.vertex(
+                    `${p}/${t}/${n}/${moves[face.material] ? face.material : ''}`,
+                    points[p],
+                    normals[n] ?? null,
+                    t < 0 ? null : moved(uvs[t], moves[face.material]),
+                    tints[p],
+                ),
             ),
             face.material,
         );

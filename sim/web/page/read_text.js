@@ -14,6 +14,13 @@ export class BadModel extends Error {
     }
 }
 
+/** Highlights of a share of light and a power: too faint or wide ones are none, and brighter ones than full keep their
+ * hue. */
+export function highlightsOf(rgb, power) {
+    const most = Math.max(...rgb);
+    return most >= 0.1 && power >= 1 ? { specular: rgb.map((c) => c / Math.max(most, 1)), power } : {};
+}
+
 /** Corners of triangles in file order, each with what the file gives it. A vertex is a distinct set of those. */
 export class Corners {
     constructor() {
