@@ -366,7 +366,7 @@ static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct 
     figure[n++] = (struct budget_figure){ "wire_ms", b->wire.ms, 0, b->has_wire ? NULL : "a --panel" };
     const char *const clock = to.mhz > 0.0 ? NULL : "a clock: give --part, or --core and --mhz";
     const char *const time = clock || !isnan(t.draw_ms) ? clock
-                             : budget_has_time(b) ? "times that were measured, which this scene has not"
+                             : budget_has_time(b) ? "costs that were measured; those of this scene's effects were not"
                                                   : "more than numbers with this method: give --scene or a model";
     const char *const strip = time || b->counted.worst[to.core] > 0.0 ? time
                               : "a frame that is counted: give --scene or a model";

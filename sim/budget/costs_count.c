@@ -177,7 +177,7 @@ static void count_asked(const struct zs_scene *scene, const struct zs_config *co
 
 /* Each strip, and the slowest: what was counted while it was drawn, its share of what is the same in all of them, and
  * in those that begin with a walk, a walk's share of the rest. */
-static void find_worst(struct sim_counted *out)
+static void find_strips(struct sim_counted *out)
 {
     out->neighbours = sim_now.neighbours;
     out->n_strips = (out->stats.strips + sim_now.neighbours - 1u) / sim_now.neighbours;
@@ -294,7 +294,7 @@ int sim_costs_count_passes(struct sim_counted *out, const struct zs_pass *pass, 
             count_asked(pass[k].scene, config, &frame.stats);
         count_passes(out, &c, pass, &frame);
         if (sim_now.walks > 0 && frame.stats.strips > 0)
-            find_worst(out);
+            find_strips(out);
         if (sim_now.tested != frame.stats.pixels_tested)
             err = SIM_FRAME_BROKEN;
     }

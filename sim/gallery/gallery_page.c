@@ -7,27 +7,22 @@
 
 #include <stdlib.h>
 
+#include "base64.h"
 #include "sim.h"
 
 /* A picture as a PNG in a data URI. */
 static void put_picture(FILE *f, const struct sim_picture *p, const char *what)
 {
-    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     char *png = NULL;
     size_t n = 0;
     FILE *to = open_memstream(&png, &n);
     if (to == NULL || sim_png_write(to, "gallery", p->width, p->height, p->rgb) != SIM_OK || fclose(to) != 0)
         exit(SIM_REFUSED);
-    (void)fprintf(f, "<img width=%u height=%u alt=\"%s\" src=\"data:image/png;base64,", p->width, p->height, what);
-    for (size_t i = 0; i < n; i += 3) {
-        unsigned bits = 0;
-        for (size_t k = 0; k < 3; k++)
-            bits = bits << 8 | (i + k < n ? (unsigned char)png[i + k] : 0u);
-        for (size_t k = 0; k < 4; k++)
-            (void)fputc(i + k <= n ? digit[bits >> (18 - 6 * k) & 63u] : '=', f);
-    }
-    (void)fputs("\">\n", f);
-    free(png);
+    char *const text = sim_alloc(SIM_BASE64_CHARS(n), 1);
+    sim_base64_encode(text, png, n);
+    (void)fprintf(f, "<img width=%u height=%u alt=\"%s\" src=\"data:image/png;base64,%s\">\n", p->width, p->height,
+                  what, text);
+    SIM_FREE(png, text);
 }
 
 static void put_count(FILE *f, double n)

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base64.h"
 #include "json_text.h"
 #include "material.h"
 #include "scan.h"
@@ -32,35 +33,6 @@ static struct list list_of(struct sim_text of, const char *name)
 }
 
 /* ---- Buffers --------------------------------------------------------------------------------- */
-
-static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-static void to_base64(char *out, const uint8_t *in, size_t n)
-{
-    for (size_t i = 0; i < n; i += 3) {
-        uint32_t v = 0;
-        for (size_t k = 0; k < 3; k++)
-            v = v << 8 | (i + k < n ? in[i + k] : 0);
-        for (unsigned k = 0; k < 4; k++)
-            *out++ = i + k > n ? '=' : letters[v >> (18 - 6 * k) & 63];
-    }
-    *out = '\0';
-}
-
-static uint8_t *from_base64(const char *p, const char *end, size_t *n)
-{
-    uint8_t *out = sim_alloc((size_t)(end - p) + 1, 1);
-    uint32_t v = 0;
-    *n = 0;
-    for (unsigned bits = 0; p < end && *p != '='; p++) {
-        const char *at = *p != '\0' ? strchr(letters, *p) : NULL;
-        v = v << 6 | (at != NULL ? (uint32_t)(at - letters) : 0);
-        bits += 6;
-        if (bits >= 8)
-            out[(*n)++] = (uint8_t)(v >> (bits -= 8));
-    }
-    return out;
-}
 
 /* A buffer's bytes; data NULL: they are not there. own: malloc'ed, else NULL. */
 struct bytes {
@@ -92,7 +64,7 @@ static struct bytes load_buffer(const struct gltf *g, size_t i)
     }
     const char *comma = memchr(uri.p, ',', (size_t)(uri.end - uri.p));
     if (sim_text_begins(uri, "data:")) {
-        b.own = comma != NULL ? from_base64(comma + 1, uri.end - 1, &b.n) : NULL;
+        b.own = comma != NULL ? sim_base64_decode(comma + 1, uri.end - 1, &b.n) : NULL;
     } else {
         const char *slash = strrchr(g->file, '/');
         const int folder = slash != NULL ? (int)(slash - g->file) + 1 : 0, length = (int)(uri.end - uri.p) - 2;
@@ -236,7 +208,7 @@ static void put_u32(char *p, size_t v)
 /* n: of edits. A view and a buffer of what is in g->out follow. */
 static void rewrite(struct gltf *g, struct edit *edit, size_t n, char **text, size_t *bytes)
 {
-    const size_t raw = g->n * sizeof *g->out, code = (raw + 2) / 3 * 4, head = (size_t)(g->json.p - *text);
+    const size_t raw = g->n * sizeof *g->out, code = SIM_BASE64_CHARS(raw) - 1, head = (size_t)(g->json.p - *text);
     const size_t rest = (size_t)(*text + *bytes - g->rest);
     const char *const views = g->views.all.end - 1, *const buffers = g->buffers.all.end - 1;
     struct edit *const view = &edit[n], *const buffer = &edit[n + 1];
@@ -245,7 +217,7 @@ static void rewrite(struct gltf *g, struct edit *edit, size_t n, char **text, si
     *buffer = (struct edit){ buffers, buffers, sim_alloc(EDIT_ROOM + code, 1) };
     const int at = snprintf(buffer->text, EDIT_ROOM,
                             ",{\"byteLength\":%zu,\"uri\":\"data:application/octet-stream;base64,", raw);
-    to_base64(buffer->text + at, (const uint8_t *)g->out, raw);
+    sim_base64_encode(buffer->text + at, g->out, raw);
     (void)strcat(buffer->text + at + code, "\"}");
     size_t room = *bytes + 5;
     for (size_t i = 0; i < n + 2; i++)

@@ -11,11 +11,13 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base64.h"
 #include "image.h"
 #include "output_file.h"
 #include "run_program.h"
 #include "sim.h"
 #include "study.h"
+#include "study_rows.h"
 
 struct study_page {
     const char *dir;
@@ -55,28 +57,19 @@ void study_head(struct study_page *page, const char *title)
     (void)fprintf(page->section.file, "<h3>%s</h3>\n", title);
 }
 
-static void base64(FILE *out, FILE *in)
-{
-    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    unsigned char b[3] = { 0, 0, 0 };
-    for (size_t n; (n = fread(b, 1, 3, in)) > 0; b[0] = b[1] = b[2] = 0) {
-        const char four[4] = { digit[b[0] >> 2], digit[(b[0] & 3) << 4 | b[1] >> 4],
-                               n > 1 ? digit[(b[1] & 15) << 2 | b[2] >> 6] : '=', n > 2 ? digit[b[2] & 63] : '=' };
-        (void)fwrite(four, 1, 4, out);
-    }
-}
-
 static int embed(struct study_page *page, const char *path, const char *kind, const char *attributes,
                  const char *caption)
 {
-    FILE *in = fopen(path, "rb");
-    FILE *out = page->section.file;
+    size_t n;
+    char *const in = study_read(path, &n);
     if (!in)
         return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
-    (void)fprintf(out, "<figure><img %s alt=\"\" src=\"data:image/%s;base64,", attributes, kind);
-    base64(out, in);
-    (void)fprintf(out, "\"><figcaption>%s</figcaption></figure>\n", caption);
-    (void)fclose(in);
+    char *const text = sim_alloc(SIM_BASE64_CHARS(n), 1);
+    sim_base64_encode(text, in, n);
+    (void)fprintf(page->section.file,
+                  "<figure><img %s alt=\"\" src=\"data:image/%s;base64,%s\"><figcaption>%s</figcaption></figure>\n",
+                  attributes, kind, text, caption);
+    SIM_FREE(in, text);
     return SIM_OK;
 }
 

@@ -93,7 +93,7 @@ static void put_part(FILE *f, const struct budget_request *rq, const struct budg
                   wire > t.draw_ms ? "wire" : "drawing", t.ram <= p->ram ? "true" : "false",
                   t.flash > p->flash ? "false" : "true");
     if (!budget_of_all(rq))
-        (void)fputs(",\"why\":\"Time and flash are known with all accelerators alone.\"", f);
+        (void)fputs(",\"why\":\"Time and flash are known only of all accelerators together.\"", f);
     else if (isnan(t.draw_ms) && n->unknown != NULL)
         (void)fprintf(f, ",\"why\":\"Not known: what %s takes was not measured.\"", n->unknown);
     else if (isnan(t.draw_ms))

@@ -321,7 +321,7 @@ test('web_engine_budget', (is) => {
     engine.configure({fast: 'none'});
     const bare = engine.parts()[0];
     is('no accelerators: no time, no flash', [ bare.fps, bare.drawMs, bare.flashUsed, bare.why ],
-        [ null, null, null, 'Time and flash are known with all accelerators alone.' ]);
+        [ null, null, null, 'Time and flash are known only of all accelerators together.' ]);
     engine.configure({fast: undefined});
     engine.configure({method: undefined, width: undefined, height: undefined});
     for (const scene of [ 'stilllife', 'cockpit', 'forest' ]) { // as zsim budget has them
