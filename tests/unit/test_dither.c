@@ -188,8 +188,8 @@ static void pixels_are_the_frames(void **state)
 
 #define SIDE 128
 
-/* A square that fills the frame, its colour growing from left to right and from top to bottom; straight on, or
- * tilted. */
+/* A square that fills the frame, its colour growing: red to the right, green to the top, blue to the left; straight
+ * on, or tilted. */
 static struct picture light(const struct zs_shader *shader, int tilted, struct prng *any, uint8_t from, uint8_t to,
                             int hidden)
 {
@@ -199,7 +199,7 @@ static struct picture light(const struct zs_shader *shader, int tilted, struct p
     const int16_t pos[4][3] = {
         { -1600, -1600, near }, { 1600, -1600, near }, { 1600, 1600, far }, { -1600, 1600, far }
     };
-    const struct zs_rgb rgb[4] = { { from, from, to }, { to, from, to }, { to, to, from }, { from, to, from } };
+    const struct zs_rgb rgb[4] = { { from, from, to }, { to, from, from }, { to, to, from }, { from, to, to } };
     const struct zs_mesh mesh = {
         .pos = pos, .tri = tri, .normal = normal, .vertex_rgb = rgb, .n_verts = 4, .n_tris = 2, .radius = 6000
     };
@@ -234,8 +234,7 @@ static double exact(int k, int x, int y, double from, double to)
     const double focal = SIDE / 2.0 / tan(3.14159265358979323846 / 6);
     const double u = ((x + 0.5 - SIDE / 2.0) * 2000 / focal + 1600) / 3200,
                  v = (1600 - (y + 0.5 - SIDE / 2.0) * 2000 / focal) / 3200;
-    /* red follows u; green and blue v, which is upwards */
-    const double part = k == 0 ? from + (to - from) * u : k == 1 ? from + (to - from) * v : to + (from - to) * v;
+    const double part = k == 0 ? from + (to - from) * u : k == 1 ? from + (to - from) * v : to + (from - to) * u;
     return part / 255 * (k == 1 ? 63 : 31);
 }
 
