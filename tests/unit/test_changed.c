@@ -26,7 +26,7 @@ static struct tracked {
     struct zs_renderer r;
     struct zs_config config;
     struct zs_camera camera;
-    uint32_t memory[ZS_DAMAGE_WORDS(1, H, 4)];
+    uint32_t memory[ZS_DAMAGE_WORDS(1, H, 1)];
     uint32_t arena[60000];
     uint16_t shown[H][W];
 } tracked;
@@ -169,10 +169,37 @@ static void after_a_refused_frame(void **state)
     }
 }
 
+static int not_shown(void *ctx, const struct zs_strip *s)
+{
+    (void)ctx;
+    (void)s;
+    return 1;
+}
+
+/* The first strip does not arrive: it is drawn again, where strips are a row as well. */
+static void a_first_strip_that_is_lost(void **state)
+{
+    (void)state;
+    const struct zs_sink lost = { .submit = not_shown };
+    for (uint16_t strip_h = 1; strip_h <= 4; strip_h++) {
+        struct zs_scene scene = { .background = 0x1111 };
+        begin(&tracked, 0, 60);
+        tracked.config.strip_h = strip_h;
+        assert_int_equal(zs_init(&tracked.r, &tracked.config, tracked.arena, sizeof tracked.arena), ZS_OK);
+        assert_int_equal(zs_damage_track(&tracked.r, tracked.memory, 1), ZS_OK);
+        assert_int_equal(frame(&tracked, &scene), ZS_OK);
+        scene.background = 0x2222;
+        assert_int_equal(zs_render(&tracked.r, &scene, &tracked.camera, &lost), 1);
+        assert_int_equal(frame(&tracked, &scene), ZS_OK);
+        assert_int_equal(zs_frame_stats(&tracked.r)->strips_skipped, 0);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(lines_and_points_of_another_width),
     cmocka_unit_test(lamps_that_are_no_longer_right),
     cmocka_unit_test(hooks_that_are_exchanged),
     cmocka_unit_test(after_a_refused_frame),
+    cmocka_unit_test(a_first_strip_that_is_lost),
 };
 CASES_MAIN(tests)
