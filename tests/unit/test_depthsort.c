@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "cases.h"
+#include "core/depth.h"
+#include "core/fx.h"
 #include "fast_lists.h"
 #include "method_needs.h"
 #include "own.h"
@@ -543,6 +545,21 @@ static void only_what_changed_may_be_drawn(void **state)
     assert_true(narrow > 100);
 }
 
+/* In perspective, what is sorted by is zs_depth_recip's key in 16 bits, however few bits the renderer has. */
+static void sorts_by_keys_of_16_bits(void **state)
+{
+    (void)state;
+    struct zs_view is = { .perspective = 1, .z_near = 256 }, want = is;
+    struct zs_camera camera = { .z_near = 65536, .z_far = 100 * 65536 };
+    assert_int_equal(zs_depth_order.setup(&is, &camera, 8), ZS_OK);
+    assert_int_equal(zs_depth_recip.setup(&want, &camera, 16), ZS_OK);
+    for (int32_t z = 256; z < 25600; z += 97) {
+        const int32_t lz = zs_clz32((uint32_t)z);
+        const uint32_t rcp = zs_recip_inline((uint32_t)z << lz);
+        assert_int_equal(zs_depth_order.vertex(&is, z, rcp, lz), zs_depth_recip.vertex(&want, z, rcp, lz));
+    }
+}
+
 /* ---- What is refused ------------------------------------------------------------------------- */
 
 static void small_pools_and_other_mappings_are_refused(void **state)
@@ -570,6 +587,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(finds_several_layers_in_a_walk),
     cmocka_unit_test(strips_may_be_skipped),
     cmocka_unit_test(only_what_changed_may_be_drawn),
+    cmocka_unit_test(sorts_by_keys_of_16_bits),
     cmocka_unit_test(small_pools_and_other_mappings_are_refused)
 };
 
