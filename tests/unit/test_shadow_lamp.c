@@ -10,6 +10,7 @@
 
 #include "boxes.h"
 #include "cases.h"
+#include "effect/shadow.h"
 #include "picture.h"
 #include "zs_shadow.h"
 
@@ -416,6 +417,25 @@ static void walls_at_the_ends_of_a_view(void **state)
     }
 }
 
+/* In a map in which all is dark, as wide as may be: what is beside it, before near or too far away for it is lit. */
+static void what_a_map_does_not_hold_is_lit(void **state)
+{
+    (void)state;
+    uint16_t key[1] = { 0 };
+    const struct zs_shadow_map map = { .key = key, .w = 1, .h = 1, .texels = 65536 / 4, .keys = 65535 << 8 };
+    for (int32_t z = 1; z <= 1000; z++)
+        assert_int_equal(zs_shadow_cone_share(&map, 0, 0, z, 1000), 256);
+    for (int32_t z = 2000; z < 1 << 28; z += z / 3) /* two focal lengths aside */
+        for (int32_t over = 2 * z - z / 100; over < 3 * z; over += z / 100)
+            for (int k = 0; k < 4; k++) {
+                const int32_t aside = k & 1 ? over : -over;
+                assert_int_equal(zs_shadow_cone_share(&map, k & 2 ? aside : z, k & 2 ? z : aside, z, 1000),
+                                 over < 2 * z ? 0 : 256);
+            }
+    assert_int_equal(zs_shadow_cone_share(&map, 0, 0, 1 << 29, 1000), 256);
+}
+
 static const struct CMUnitTest tests[] = { cmocka_unit_test(rays), CASES_TEST(palettes, palette_case, 20),
-                                          cmocka_unit_test(refusals), cmocka_unit_test(walls_at_the_ends_of_a_view) };
+                                          cmocka_unit_test(refusals), cmocka_unit_test(walls_at_the_ends_of_a_view),
+                                          cmocka_unit_test(what_a_map_does_not_hold_is_lit) };
 CASES_MAIN(tests)

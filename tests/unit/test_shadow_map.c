@@ -8,6 +8,7 @@
 
 #include "boxes.h"
 #include "cases.h"
+#include "effect/shadow.h"
 #include "picture.h"
 #include "zs_damage.h"
 #include "zs_lines.h"
@@ -342,6 +343,23 @@ static void stress_47_odd_maps_and_lights(void **state)
     assert_int_equal(darker(&s), 0);
 }
 
+/* Between four texels, of which one at a time is lit, the light is what is left of it by where the point lies. */
+static void light_between_four_texels(void **state)
+{
+    (void)state;
+    for (int lit_one = 0; lit_one < 4; lit_one++) {
+        uint16_t key[4] = { 0, 0, 0, 0 };
+        const struct zs_shadow_map map = { .key = key, .w = 2, .h = 2, .soft = 1 };
+        key[lit_one] = 9;
+        for (uint32_t y = 0; y < 16; y++)
+            for (uint32_t x = 0; x < 16; x++) {
+                const uint32_t across = lit_one & 1 ? x : 16 - x, down = lit_one & 2 ? y : 16 - y;
+                assert_int_equal(zs_shadow_share(&map, 32768 + 4096 * (int32_t)x, 32768 + 4096 * (int32_t)y, 5),
+                                 across * down);
+            }
+    }
+}
+
 /* A mesh whose sphere is wrong: a vertex far outside of it has a place all the same, at the end of its range. */
 static void a_vertex_far_outside_its_sphere(void **state)
 {
@@ -473,6 +491,7 @@ static const struct CMUnitTest tests[] = {
     CASES_TEST(any_way, way_case, 60),
     CASES_TEST(colors_without_casters, colors_case, 60),
     cmocka_unit_test(stress_47_odd_maps_and_lights),
+    cmocka_unit_test(light_between_four_texels),
     cmocka_unit_test(a_vertex_far_outside_its_sphere),
     cmocka_unit_test(errors),
 };
