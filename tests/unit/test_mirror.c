@@ -615,6 +615,19 @@ static void stress_42_a_bias_that_saturates(void **state)
     assert_in_range(count(&p, 1), 20, W * H / 2);
     assert_int_equal(count(&p, SKY), 0);
     picture_free(&p);
+    /* at the largest key, over the keys of a pass before it */
+    m.camera.z_far = 40 * 65536;
+    const struct zs_scene none = { .background = SKY };
+    const struct zs_pass pass[3] = {
+        { .scene = &none, .camera = &m.camera },
+        { .scene = &m.scene, .camera = &m.camera, .keep = ZS_KEEP_COLOR | ZS_KEEP_DEPTH },
+        { .scene = &m.seen, .camera = &m.camera, .mirror = &m.mirror, .mask = &zs_mask_window }
+    };
+    const struct zs_config c = picture_config(W, H, &zs_depth_linear);
+    p = picture_passes(&c, pass, 3);
+    assert_int_equal(p.err, ZS_OK);
+    assert_int_equal(count(&p, SKY), 0);
+    picture_free(&p);
     /* something before the glass, at key 0: it stays, and nothing of the mirror is seen there, nor it in the mirror */
     facing(&m, 30);
     m.thing[0].pose.pos[2] = -10;
@@ -628,12 +641,46 @@ static void stress_42_a_bias_that_saturates(void **state)
     assert_true(in_front > 1000); /* it covers its picture */
     picture_free(&plain);
     /* and behind the glass, at the largest key, drawn before a window that is moved there as well */
+    m.camera.z_far = 40 * 65536;
     m.thing[0].pose.pos[2] = -35;
     m.thing[0].depth_state = &twice;
     m.thing[1].depth_state = &twice;
     p = drawn(&m);
     assert_int_equal(count(&p, SKY_SEEN), W * H); /* equal keys: the window wins */
     picture_free(&p);
+}
+
+/* The eye's picture in a mirror is not in whole world units. What is close to near or far is there all the same. */
+static void close_to_near_and_far_in_a_mirror(void **state)
+{
+    static const int16_t corner[3][3] = { { 8, 0, 0 }, { 0, 8, 0 }, { 0, 0, -8 } }; /* 1/256 world unit each */
+    static const int32_t eye[3] = { 0, 0, 2 }, along[3] = { 0, 0, -1 }, up[3] = { 0, 1, 0 };
+    static const int32_t point[3] = { 0, 0, 0 }, normal[3] = { 1, 1, 3 };
+    const double axis = 41.0 / 11; /* of (1, 1, 1) from the eye's picture, (-12, -12, -14) / 11, along the axis */
+    (void)state;
+    struct room m;
+    facing(&m, 20);
+    const struct zs_mesh mesh = { .pos = corner, .tri = tri, .face_raw = raw, .n_verts = 3, .n_tris = 1, .radius = 9,
+                                  .scale = 256 };
+    const struct zs_instance in = { .mesh = &mesh, .material = &raw_both, .pose.pos = { 1, 1, 1 } };
+    const struct zs_scene scene = { .instance = &in, .n_instances = 1, .background = SKY };
+    const struct zs_config c = picture_config(W, H, &zs_depth_linear);
+    const struct zs_pass pass = { .scene = &scene, .camera = &m.camera, .mirror = &m.mirror };
+    assert_int_equal(zs_mirror_plane(&m.mirror, point, normal), ZS_OK);
+    assert_int_equal(zs_camera_perspective(&m.camera, ZS_DEGREES(6), H, 1, 100), ZS_OK);
+    assert_int_equal(zs_camera_look_along(&m.camera, eye, along, up), ZS_OK);
+    struct picture want = picture_passes(&c, &pass, 1);
+    assert_in_range(count(&want, 1), 3, 20);
+    m.camera.z_near = (zs_q48_16)((axis - 0.1) * 65536);
+    struct picture at_near = picture_passes(&c, &pass, 1);
+    m.camera.z_near = 65536;
+    m.camera.z_far = (zs_q48_16)((axis + 0.1) * 65536);
+    struct picture at_far = picture_passes(&c, &pass, 1);
+    assert_int_equal(at_near.err, ZS_OK);
+    assert_int_equal(at_far.err, ZS_OK);
+    assert_memory_equal(at_near.color, want.color, sizeof *want.color * W * H);
+    assert_memory_equal(at_far.color, want.color, sizeof *want.color * W * H);
+    PICTURES_FREE(&want, &at_near, &at_far);
 }
 
 /* A rear-view mirror: a pass in a viewport over the road. What is behind the eye on its left is on the left in it, in a
@@ -842,6 +889,7 @@ static const struct CMUnitTest tests[] = {
     CASES_COUNTS(any_way_is_the_same, way_case, 200, { "ways", &ways, 60 }),
     cmocka_unit_test(stress_41_the_eye_near_the_plane),
     cmocka_unit_test(stress_42_a_bias_that_saturates),
+    cmocka_unit_test(close_to_near_and_far_in_a_mirror),
     cmocka_unit_test(a_rear_view_mirror),
     cmocka_unit_test(wrong_mirrors_are_refused),
 };
