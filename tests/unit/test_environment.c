@@ -179,6 +179,47 @@ static int cut_case(uint64_t seed)
     return 1;
 }
 
+/* Where a row of pixels goes straight up, 45 degrees from the horizon, groups of 16 are interpolated: each pixel's row
+ * of the image is where the line between the group's and the next one's first has it, and not where its own is. */
+static void a_group_is_interpolated(void **state)
+{
+    static const struct zs_texture image = {
+        .format = &zs_texel_565, .texel = row_image, .log2_w = LOG2_W, .log2_h = LOG2_H
+    };
+    static const int32_t eye[3] = { 0, 0, 0 }, ahead[3] = { 0, 0, -1 }, left[3] = { -1, 0, 0 };
+    static const struct zs_rect at = { 0, 0, 320, 240 };
+    static struct zs_sky sky;
+    struct zs_camera camera;
+    uint16_t px[320];
+    double worst = 0;
+    int groups = 0;
+    (void)state;
+    for (int y = 0; y < 1 << LOG2_H; y++)
+        for (int x = 0; x < 1 << LOG2_W; x++)
+            row_image[y][x] = (uint16_t)y;
+    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(100), 240, 1, 100), ZS_OK);
+    assert_int_equal(zs_camera_look_along(&camera, eye, ahead, left), ZS_OK);
+    assert_int_equal(zs_sky_panorama(&sky, &image, 9216, 7168), ZS_OK);
+    zs_sky_look(&sky, &camera, &at, NULL);
+    const struct view v = view_of(&camera, &at, NULL);
+    sky.background.fill(&sky, px, 0, 120, 320);
+    for (int x = 0; x < 320; x++)
+        px[x] = from_wire(px[x]);
+    for (int x = 0; x + 16 < 320; x += 16) {
+        if (px[x] == 0 || px[x] == 511 || px[x + 16] == 0 || px[x + 16] == 511)
+            continue;
+        groups++;
+        for (int k = 1; k < 16; k++) {
+            double yaw, pitch;
+            direction(&v, x + k, 120, &yaw, &pitch);
+            assert_true(fabs(px[x + k] - px[x] - (px[x + 16] - px[x]) * k / 16.0) <= 1);
+            worst = fmax(worst, fabs(px[x + k] + 0.5 - (9216 / 65536.0 - pitch) * 32 * (1 << LOG2_H)));
+        }
+    }
+    assert_int_equal(groups, 1);
+    assert_true(worst > 2);
+}
+
 /* A picture of one row shows it at every height, one of one column all around. */
 static void a_panorama_of_one_row(void **state)
 {
@@ -508,6 +549,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_sky_bears_any_camera),
     cmocka_unit_test(a_panorama_is_where_it_should_be),
     CASES_TEST(a_row_may_be_cut, cut_case, 200),
+    cmocka_unit_test(a_group_is_interpolated),
     cmocka_unit_test(a_panorama_of_one_row),
     cmocka_unit_test(a_gradient_follows_the_pitch),
     cmocka_unit_test(wrong_skies_are_refused),
