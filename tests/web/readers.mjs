@@ -123,6 +123,62 @@ for (const [ name, file, kd ] of [ [ 'blanks', 'my picture.png', '1 1 1' ], [ 'a
         [file]: picture,
     });
 
+// ---- PLY: colours of each type, positions of another precision, other line ends
+
+function ply(type, colors, {position = 'float', names = [ 'red', 'green', 'blue' ], by = 1, end = '\n', face = ''} = {}) {
+    const corners = [ [ 0.1, 0, 0 ], [ 2, 0.1, 0 ], [ 2.3, 2.1, 1 ], [ 0, 2, 0.7 ] ];
+    return [
+        'ply', 'format ascii 1.0', 'element vertex 4', ...[ 'x', 'y', 'z' ].map((name) => `property ${position} ${name}`),
+        ...names.map((name) => `property ${type} ${name}`), 'element face 2', 'property list uchar int vertex_indices',
+        ...(face ? [ face ] : []), 'end_header',
+        ...corners.map((p, i) => [...p.map((c) => by * c), ...names.map((_, k) => colors[(i + k) % 3]) ].join(' ')),
+        ...[ '3 0 1 2', '3 0 2 3' ].map((row) => row + (face ? ' 7' : '')), '',
+    ].join(end);
+}
+const types = {char: [ -100, 0, 120 ], uchar: [ 0, 100, 255 ], short: [ -30000, 0, 32000 ], ushort: [ 0, 30000, 65535 ],
+    int: [ -100, 30, 120 ], uint: [ 0, 30000, 65535 ], float: [ 0, 0.5, 1 ], double: [ 0.1, 0.5, 1 ]};
+for (const [ type, colors ] of Object.entries(types))
+    await same(`colours_of_${type}`, {[`${type}.ply`]: ply(type, colors)});
+await same('colours_named_r_g_b', {'rgb.ply': ply('uchar', types.uchar, {names: [ 'r', 'g', 'b' ]})});
+for (const names of [ [ 'red' ], [ 'green' ], [ 'alpha' ], [ 'r', 'red', 'b', 'blue', 'green', 'g' ] ])
+    await same(`colours_of_${names.join('_')}`, {'some.ply': ply('uchar', types.uchar, {names})});
+await same('normals_of_one_number', {'nz.ply': ply('float', types.float, {names: [ 'nz' ]})});
+await same('carriage_returns_in_a_ply', {'cr.ply': ply('uchar', types.uchar, {end: '\r'})});
+await same('both_line_ends_in_a_ply', {'crlf.ply': ply('uchar', types.uchar, {end: '\r\n'})});
+await same('positions_of_double', {'double.ply': ply('uchar', types.uchar, {position: 'double', by: 1e8 + 1 / 3})});
+const others = {
+    'colours of the name diffuse_red are left out': {names: [ 'diffuse_red', 'diffuse_green', 'diffuse_blue' ]},
+    'colours of faces are left out': {face: 'property uchar red'},
+};
+for (const [ loss, what ] of Object.entries(others))
+    await losses(`names_${loss.replaceAll(' ', '_')}`, {'other.ply': ply('uchar', types.uchar, what)}, loss);
+
+// ---- STL: colours of faces, facets of four vertices
+
+function stl(head, words) {
+    const facets = [ [ 0, 0, 0, 2, 0, 0, 2, 2, 1 ], [ 0, 0, 0, 2, 2, 1, 0, 2, 0 ], [ 0, 0, 0, 0, 2, 0, 0, 1, -2 ] ];
+    const out = Buffer.alloc(84 + 50 * facets.length);
+    out.write(head, 0, 'latin1');
+    out.writeUInt32LE(facets.length, 80);
+    facets.forEach((facet, t) => {
+        facet.forEach((c, k) => out.writeFloatLE(c, 84 + 50 * t + 12 + 4 * k));
+        out.writeUInt16LE(words[t], 84 + 50 * t + 48);
+    });
+    return out;
+}
+const words = [ 0x801f, 0x7c00, 0xa94a ];
+await same('colours_of_an_stl', {'words.stl': stl('colours', words)});
+await same('no_colours_of_an_stl', {'plain.stl': stl('COLOR=\x10\x80\xff\xff', [ 1, 2, 3 ])});
+for (const alpha of [ '\xff', '\x80' ])
+    await same(`colours_of_magics_${alpha.charCodeAt(0)}`, {'magics.stl': stl(`COLOR=\x10\x80\xff${alpha}`, words)});
+await same('colours_of_magics_at_the_end', {'end.stl': stl(`${' '.repeat(74)}COLOR=`, words)});
+await losses('names_colours_of_magics', {'magics.stl': stl('COLOR=', words)},
+    'colours of Materialise Magics are in another form');
+const four = `solid x\nfacet normal 0 0 1\nouter loop\n${
+    [ '0 0 0', '2 0 0', '2 2 1', '0 2 0' ].map((p) => `vertex ${p}\n`).join('')}endloop\nendfacet\nendsolid x\n`;
+await same('facets_of_four_vertices', {'four.stl': four});
+await losses('names_facets_of_four_vertices', {'four.stl': four}, 'vertices of facets beyond the third are left out');
+
 // ---- glTF: a square of two triangles that stands across, as two meshes
 
 const floats = (...v) => Buffer.from(Float32Array.from(v).buffer);

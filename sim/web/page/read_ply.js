@@ -25,8 +25,8 @@ const TYPES = {
 
 function readHeader(name, bytes) {
     const head = new TextDecoder('latin1').decode(bytes.subarray(0, 65536));
-    const end = /(^|\n)end_header\s*?\r?\n/.exec(head);
-    const lines = head.slice(0, end ? end.index + 1 : undefined).split(/\r?\n/);
+    const end = /(^|[\r\n])end_header[ \t]*(\r\n|\n|\r)/.exec(head);
+    const lines = head.slice(0, end ? end.index + 1 : undefined).split(/\r\n|\n|\r/);
     if (lines[0].trim() !== 'ply') throw new BadModel(name, 1, 'not a PLY file: its first line is not `ply`');
     if (!end) throw new BadModel(name, lines.length, 'cut off: its header has no end; get the whole file');
     const header = { format: '', elements: [], start: end.index + end[0].length, lines: lines.length };
@@ -51,7 +51,7 @@ function readHeader(name, bytes) {
             const type = TYPES[word[list ? 3 : 1]],
                 length = list ? TYPES[word[2]] : null;
             if (!type || (list && (!length || /Float/.test(length[0])))) wrong('a property of unknown type');
-            element.properties.push({ name: word[list ? 4 : 2], type, length, kind: word[list ? 3 : 1] });
+            element.properties.push({ name: word[list ? 4 : 2], type, length });
         } else wrong(`'${word[0]}' does not belong in a header`);
     }
     if (header.format === '') throw new BadModel(name, 0, 'a header without a format');
@@ -90,9 +90,10 @@ class Body {
     /* Text: what is left of a record's line, and empty lines before the next one. */
     skip(rest) {
         if (!this.ascii) return;
-        while (rest && this.at < this.text.length && this.text[this.at] !== '\n') this.at++;
-        for (; this.at < this.text.length && ' \t\r\n'.includes(this.text[this.at]); this.at++)
-            if (this.text[this.at] === '\n') this.line++;
+        const { text } = this;
+        while (rest && this.at < text.length && !'\r\n'.includes(text[this.at])) this.at++;
+        for (; this.at < text.length && ' \t\r\n'.includes(text[this.at]); this.at++)
+            if (text[this.at] === '\n' || (text[this.at] === '\r' && text[this.at + 1] !== '\n')) this.line++;
     }
 
     next(type, element, i) {
@@ -127,7 +128,7 @@ export function readPly(name, bytes) {
             const row = readRow(body, element, i, countOf('vertex'));
             body.skip(true);
             if (element.name === 'vertex') {
-                known ||= new Map(element.properties.map((p) => [p.name, p]));
+                known ||= knownOf(element.properties);
                 rows.push(row);
             } else if (element.name === 'face') {
                 const list = row.vertex_indices || row.vertex_index || [];
@@ -138,7 +139,12 @@ export function readPly(name, bytes) {
             }
         }
     }
-    return corners.model(name);
+    const has = (what, names) =>
+        header.elements.some((e) => e.name === what && e.properties.some((p) => names.includes(p.name)));
+    const losses = [];
+    if (has('vertex', ['diffuse_red'])) losses.push('colours of the name diffuse_red are left out');
+    if (has('face', ['red', 'diffuse_red'])) losses.push('colours of faces are left out');
+    return corners.model(name, { losses });
 }
 
 function readRow(body, element, i, vertices) {
@@ -169,17 +175,39 @@ function readRow(body, element, i, vertices) {
     return row;
 }
 
-function vertexOf(corners, rows, v, known) {
+/* Of full light, a colour's value by its type, as assimp has it. */
+const SHARES = {
+    getUint8: (v) => v / 255,
+    getInt8: (v) => (v + 127) / 255,
+    getUint16: (v) => v / 65535,
+    getInt16: (v) => (v + 32767) / 65535,
+    getUint32: (v) => v / 65535,
+    getInt32: (v) => Math.fround(v / 255) + 0.5,
+};
+function shareOf(value, property) {
+    return Math.fround((SHARES[property.type[0]] ?? ((v) => v))(value));
+}
+
+/* What vertices have: of each colour the last property of its names; undefined: none. */
+function knownOf(properties) {
+    const last = (...names) => properties.filter((p) => !p.length && names.includes(p.name)).pop();
+    const colors = [last('red', 'r'), last('green', 'g'), last('blue', 'b')];
+    return {
+        colors: colors.some((p) => p) || last('alpha') ? colors : null,
+        normals: last('nx', 'ny', 'nz') !== undefined,
+    };
+}
+
+function vertexOf(corners, rows, v, { colors, normals }) {
     const row = rows[v],
-        p = [row.x, row.y, row.z];
-    const scale = known.has('red') && /char|int8/.test(known.get('red').kind) ? 255 : 1;
+        p = [row.x, row.y, row.z].map(Math.fround);
     const u = row.s ?? row.u ?? row.texture_u,
         w = row.t ?? row.v ?? row.texture_v;
     return corners.vertex(
         v,
         p,
-        known.has('nx') ? [row.nx, row.ny, row.nz] : null,
-        u === undefined || w === undefined ? null : [u, w],
-        known.has('red') ? [row.red / scale, row.green / scale, row.blue / scale] : null,
+        normals ? [row.nx ?? 0, row.ny ?? 0, row.nz ?? 0] : null,
+        u === undefined || w === undefined ? null : [u, w].map(Math.fround),
+        colors && colors.map((property) => (property ? shareOf(row[property.name], property) : 0)),
     );
 }

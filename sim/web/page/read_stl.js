@@ -1,4 +1,4 @@
-/* STL, binary and text. A face has no colour and no shared vertices; equal positions are welded by the engine.
+/* STL, binary and text. A face of a binary one may have a colour; equal positions are welded by the engine.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -22,7 +22,22 @@ function notFinite(name, vertex, solid) {
     );
 }
 
-function readBinary(name, bytes, corners) {
+/* Colours of a binary file's faces, of their attribute words: a word without bit 15 is none. Materialise Magics names its
+ * own in the header, and one that faces without have; zsim takes them as they stand, which is a loss. */
+function colorsOf(bytes, words, losses) {
+    const at = String.fromCharCode(...bytes.subarray(0, 80)).indexOf('COLOR='),
+        magics = at >= 0 && at <= 74,
+        [r, g, b, a] = bytes.subarray(at + 6, at + 10);
+    if (magics) losses.add('colours of Materialise Magics are in another form');
+    if (!words.some((w) => w & 0x8000)) return words.map(() => null);
+    return words.map((w) => {
+        const [low, middle, high] = [w & 31, (w >> 5) & 31, (w >> 10) & 31].map((c) => c / 31);
+        if (w & 0x8000) return magics ? [low, middle, high] : [high, middle, low];
+        return magics && a === 255 ? [r / 255, g / 255, b / 255] : null;
+    });
+}
+
+function readBinary(name, bytes, corners, losses) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const n = view.getUint32(80, true),
         takes = 84 + 50 * n;
@@ -30,19 +45,21 @@ function readBinary(name, bytes, corners) {
     if (takes > bytes.length) throw new BadModel(name, 0, `cut off: ${said}; get the whole file`);
     if (n > 0 && takes < bytes.length)
         throw new BadModel(name, 0, `is longer than it says: ${said}; export the model again`);
+    const words = Array.from({ length: n }, (_, t) => view.getUint16(84 + 50 * t + 48, true)),
+        colors = colorsOf(bytes, words, losses);
     for (let t = 0; t < n; t++) {
         const face = [];
         for (let k = 0; k < 3; k++) {
             const at = 84 + 50 * t + 12 + 12 * k;
             const p = [0, 4, 8].map((i) => view.getFloat32(at + i, true));
             if (!p.every(Number.isFinite)) notFinite(name, 3 * t + k, '');
-            face.push(corners.vertex(p.join(), p));
+            face.push(corners.vertex(`${p}/${colors[t]}`, p, null, null, colors[t]));
         }
         corners.polygon(face, 0);
     }
 }
 
-function readText(name, text, corners) {
+function readText(name, text, corners, losses) {
     let face = [],
         solid = '',
         vertices = 0;
@@ -71,7 +88,8 @@ function readText(name, text, corners) {
         } else if (word[0] === 'endloop') {
             if (face.length < 3)
                 throw new BadModel(name, line + 1, `a face of ${face.length} vertices; it needs at least 3`);
-            corners.polygon(face, 0);
+            if (face.length > 3) losses.add('vertices of facets beyond the third are left out');
+            corners.polygon(face.slice(0, 3), 0);
             face = [];
         }
     }
@@ -80,6 +98,7 @@ function readText(name, text, corners) {
 /** Read an STL. @param {string} name @param {Uint8Array} bytes @return what engine.setModel takes */
 export function readStl(name, bytes) {
     const corners = new Corners(),
+        losses = new Set(),
         head = String.fromCharCode(...bytes.subarray(0, 8)),
         plain = /^\xef\xbb\xbf/.test(head) ? bytes.subarray(3) : bytes;
     if (plain !== bytes && isText(plain))
@@ -91,9 +110,9 @@ export function readStl(name, bytes) {
             0,
             `its words are not in small letters (\`${word}\`); write them so, as by tr A-Z a-z`,
         );
-    if (isText(bytes)) readText(name, new TextDecoder().decode(bytes), corners);
-    else if (bytes.length >= 84) readBinary(name, bytes, corners);
+    if (isText(bytes)) readText(name, new TextDecoder().decode(bytes), corners, losses);
+    else if (bytes.length >= 84) readBinary(name, bytes, corners, losses);
     else throw new BadModel(name, 0, `cut off: ${bytes.length} bytes are no STL file; get the whole file`);
     if (corners.indices.length === 0) throw new BadModel(name, 0, 'no faces in it');
-    return corners.model(name);
+    return corners.model(name, { losses: [...losses] });
 }
