@@ -64,7 +64,7 @@ extern const struct zs_shader zs_stipple_raw, zs_stipple_flat, zs_stipple_smooth
  *
  *     static const struct zs_shader mine = { .fragment = my_fragment, ZS_FRAGMENTS, ZS_LAYER };
  */
-#define ZS_LAYER .span = zs_layer_span, .layer = 1
+#define ZS_LAYER .layer = 1, .span = zs_layer_span
 void zs_layer_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                    uint32_t sum, uint32_t step);
 

@@ -9,7 +9,9 @@
  *                                            ZS_FRAGMENTS, .n_varyings = 2 };
  *
  * Of struct zs_shader, `vertex`, `face`, `fragment`, `position`, `check`, `n_varyings` and `opaque`
- * are yours. All other fields are the library's: its macros set them, or leave them 0.
+ * are yours. All other fields are the library's: its macros set them, or leave them 0. C++ wants
+ * initialisers in the order of the fields: vertex, face, fragment, ZS_FRAGMENTS, n_varyings,
+ * opaque, ZS_LAYER, check, position, ZS_POSITIONS.
  *
  * Uniforms: define your own material struct whose first member is a struct zs_material. A stage
  * reads it through instance->material. zs_damage_track does not see that uniforms change: call
@@ -58,6 +60,15 @@ struct zs_shader {
      * compute. run colours the visible pixels [from, to) of a scanline. */
     void (*start)(struct zs_job *job);
     void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
+    uint8_t by_fragment; /* set by ZS_FRAGMENTS */
+    uint8_t n_varyings; /* 0 .. ZS_VARYINGS_MAX, at most config.varyings; with `vertex` 1 or more */
+    /* 1: the shader colours every pixel that has passed the depth test, and does not read its old
+     * colour; accelerators may leave out what it covers. 0 is right for every shader: from the
+     * first such instance on, the frame is drawn without the accelerator `tiles`. Bits 1 and 2 are
+     * the library's: zs_filtered_set (zs_filter.h) takes shaders that have bit 1; bit 2 is
+     * zs_shade_raw's. */
+    uint8_t opaque;
+    uint8_t layer; /* set by ZS_LAYER (zs_blend.h): drawn last by zs_method_transparent */
     /* The library's shaders that test depth in their own way, because they leave pixels out or
      * never write keys: takes the place of zs_rows_test (core/rows.h), with its arguments, under
      * the depth buffer, zs_method_hiz and zs_method_transparent. Other methods ignore it and call
@@ -76,15 +87,6 @@ struct zs_shader {
     /* The internal stage that calls `position`; ZS_POSITIONS sets it. Vertices are transformed one
      * by one then, and clusters are not culled. */
     void (*place)(const struct zs_xform *xf, uint32_t v, struct zs_point *out);
-    uint8_t n_varyings; /* 0 .. ZS_VARYINGS_MAX, at most config.varyings; with `vertex` 1 or more */
-    uint8_t opaque;     /* 1: the shader colours every pixel that has passed the depth test, and
-                           does not read its old colour; accelerators may leave out what it covers.
-                           0 is right for every shader: from the first such instance on, the frame
-                           is drawn without the accelerator `tiles`. Bits 1 and 2 are the
-                           library's: zs_filtered_set (zs_filter.h) takes shaders that have bit 1;
-                           bit 2 is zs_shade_raw's */
-    uint8_t by_fragment; /* set by ZS_FRAGMENTS */
-    uint8_t layer;       /* set by ZS_LAYER (zs_blend.h): drawn last by zs_method_transparent */
 };
 
 #define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run, .by_fragment = 1

@@ -1,8 +1,9 @@
 #!/bin/sh
 # The public headers, all in a file, and a program that uses their macros are clean C99 to C17 and C++11 to C++20 by gcc
 # and clang. So is each header alone in the oldest and the newest of these dialects: what it says in one between them,
-# it says in one of the two. The library is C11. And such a program, C99 or C++11, links with the C library and draws.
-# One that was compiled with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library is refused by zs_init.
+# it says in one of the two. What their comments show is C++20. The library is C11. And such a program, C99 or C++11,
+# links with the C library and draws. One that was compiled with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library
+# is refused by zs_init.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
@@ -216,6 +217,90 @@ done
 for compiler in g++ clang++; do
     for std in c++11 c++20; do clean $compiler $std "$CXX" "$dir"/*.cpp; done
     for std in c++14 c++17; do clean $compiler $std "$CXX" "$dir/all.cpp" "$dir/main.cpp"; done
+done
+
+# ---- What the headers show ----------------------------------------------------------------------------------------
+
+# C++ wants initialisers in the order of the fields, also where a macro sets some of them
+cat >"$dir/shown.txt" <<'END'
+#include "panel.h"
+#include "zs_blend.h"
+#include "zs_damage.h"
+#include "zs_dither.h"
+#include "zs_environment.h"
+#include "zs_fog.h"
+#include "zs_lights.h"
+#include "zs_lines.h"
+#include "zs_overlay.h"
+#include "zs_shadow.h"
+#include "zstrip.h"
+
+namespace {
+void vertex(const zs_shading *, uint32_t, uint16_t *out) { out[0] = out[1] = 0; }
+uint16_t face(const zs_shading *, uint32_t t) { return static_cast<uint16_t>(t); }
+void fragment(const zs_instance *, zs_fragment *f) { *f->color = f->paint; }
+void position(const zs_shading *s, uint32_t v, int16_t out[3]) { out[0] = s->instance->mesh->pos[v][0]; }
+int check(const zs_instance *, const zs_config *) { return ZS_OK; }
+int send(void *, const zs_strip *) { return 0; }
+}
+
+extern const zs_shader plain, layer, tint, waves, everything;
+const zs_shader plain = { .vertex = vertex, .fragment = fragment, ZS_FRAGMENTS, .n_varyings = 2 };
+const zs_shader layer = { .vertex = vertex, .fragment = fragment, ZS_FRAGMENTS, .n_varyings = 2, ZS_LAYER };
+const zs_shader tint = { .fragment = fragment, ZS_FRAGMENTS, ZS_LAYER };
+const zs_shader waves = { .fragment = fragment, ZS_FRAGMENTS, .opaque = 1, .position = position, ZS_POSITIONS };
+const zs_shader everything = { .vertex = vertex, .face = face, .fragment = fragment, ZS_FRAGMENTS, .n_varyings = 2,
+                               .opaque = 0, ZS_LAYER, .check = check, .position = position, ZS_POSITIONS };
+
+extern const zs_blend glass;
+const zs_blend glass = { .material = { .shader = &zs_blend_flat, .rgb = ZS_RGB(0x40a0ff) }, .alpha = 96 };
+extern const zs_lines wire;
+const uint16_t pair[2][2] = { { 0, 1 }, { 1, 2 } };
+const zs_lines wire = { ZS_LINES(pair, 2), .width = 1 };
+extern const zs_material ink;
+const zs_material ink = { .shader = &zs_shade_plain, .rgb = ZS_RGB(0xffffff), .primitive = &wire.primitive };
+extern const zs_dither to_grey;
+const zs_dither to_grey = { .format = &zs_dither_grey4, .pattern = &zs_dither_blue };
+extern zs_fog fog;
+zs_fog fog = { .color = ZS_RGB565(0x8090a0), .start = 2000, .end = 9000 };
+extern const zs_resolve hook[2];
+const zs_resolve hook[2] = { { .draw = zs_fog_draw, .changes = zs_fog_changes, .ctx = &fog } };
+extern const zs_lit_material red;
+zs_shine gloss;
+const zs_lamp lamp[2] = { { .dir = { 0, ZS_Q30_ONE, 0 } },
+                          { .kind = ZS_LAMP_POINT, .rgb = ZS_RGB(0xff8000), .pos = { 0, 50, 90 }, .range = 300 } };
+const zs_lighting lights = { .lamp = lamp, .n_lamps = 2, .ambient = ZS_RGB(0x303030) };
+const zs_lit_material red = { .material = { .shader = &zs_shade_lit, .rgb = ZS_RGB(0xc02010) },
+                              .lighting = &lights, .shine = &gloss, .specular = ZS_RGB(0xffffff) };
+extern zs_overlay overlay;
+zs_item items[] = {
+    { .kind = &zs_item_fill, .x = 4, .y = 4, .w = 60, .h = 12, .color = 0, .clear = 128 },
+    { .kind = &zs_item_text, .x = 6, .y = 6, .color = 0xffff, .text = "21 \xc2\xb0" "C" } };
+uint32_t memory[ZS_OVERLAY_WORDS(2)];
+zs_overlay overlay = { .item = items, .n = 2, .memory = memory, .room = 2 };
+extern const zs_scene scene;
+const zs_mesh mesh = {};
+const zs_instance thing = { .mesh = &mesh, .material = &ink };
+const zs_scene scene = { .instance = &thing, .n_instances = 1 };
+extern const zs_pass pass[3];
+zs_camera camera;
+zs_mirror mirror;
+const zs_pass pass[3] = { { .scene = &scene, .camera = &camera },
+                          { .scene = &scene, .camera = &camera, .viewport = { 80, 0, 80, 30 } },
+                          { .scene = &scene, .camera = &camera, .mirror = &mirror, .mask = &zs_mask_window } };
+extern const zs_sink sink;
+const zs_sink sink = { .submit = send };
+extern const panel_config config;
+const panel_config config = { .type = &panel_st7789, .width = 240, .height = 240, .rotate = 1, .invert = 1 };
+END
+for compiler in g++ clang++; do
+    # shellcheck disable=SC2086
+    if $compiler -std=c++20 $CXX -Wno-missing-field-initializers $INC -x c++ -MMD -S "$dir/shown.txt" \
+        -o "$dir/clean.s" 2>"$B/headers.txt"; then
+        ok "initialisers of the headers' comments as c++20 by $compiler"
+    else
+        bad "initialisers of the headers' comments as c++20 by $compiler" "$(first_error)"
+    fi
 done
 
 # ---- Linked -------------------------------------------------------------------------------------------------------
