@@ -24,6 +24,7 @@ BOARD = mps2
 APP = bench
 SCENE = teapot
 B = build
+override B := $(patsubst $(CURDIR)/%,%,$(B))# one name for an object, or what depends on a header is not made anew
 LEAN = 0
 CORES = 1
 OPT = -O2
