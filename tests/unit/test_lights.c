@@ -785,27 +785,52 @@ static void stress_35_more_light_than_white(void **state)
 
 /* ---- What is refused -------------------------------------------------------------------------- */
 
-static int refused(struct lights *l, const struct zs_mesh *mesh)
+static const int16_t one_pos[3][3] = { { 0, 0, -200 }, { 90, 0, -200 }, { 0, 90, -200 } };
+static const uint16_t one_tri[1][3] = { { 0, 1, 2 } };
+static const zs_q1_15 one_normal[3][3] = { { 0, 0, 32767 }, { 0, 0, 32767 }, { 0, 0, 32767 } };
+
+static int refused_with(struct lights *l, const struct zs_mesh *mesh, uint8_t varyings)
 {
     struct zs_camera camera;
     const struct zs_instance in = { .mesh = mesh, .material = &l->material.material };
     const struct zs_scene scene = { .instance = &in, .n_instances = 1 };
     struct zs_config c = picture_config(8, 8, &zs_depth_float);
-    c.varyings = ZS_VARYINGS_MAX;
+    c.varyings = varyings;
     assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 8, 100, 40000), ZS_OK);
-    struct picture p = picture_draw(&c, &scene, &camera);
-    const int err = p.err;
-    picture_free(&p);
-    return err;
+    return picture_error(&c, &scene, &camera);
+}
+
+static int refused(struct lights *l, const struct zs_mesh *mesh)
+{
+    return refused_with(l, mesh, ZS_VARYINGS_MAX);
+}
+
+/* Each shader takes as many varyings as zs_lights.h says, and is refused with one less. */
+static void varyings_are_as_many_as_is_said(void **state)
+{
+    static const uint8_t many[SHADERS] = { 0, 3, 3, 6, 3, 5, 4, 8, 8 };
+    static const int16_t uv[3][2] = { { 0 } };
+    static const uint16_t texel[1] = { 0 };
+    static const struct zs_texture texture = { .format = &zs_texel_565, .texel = texel };
+    const struct zs_mesh mesh = { .pos = one_pos, .tri = one_tri, .normal = one_normal, .uv = uv, .n_verts = 3,
+                                  .n_tris = 1, .radius = 300 };
+    struct lights l = { .lighting = { .n_lamps = 0 } };
+    (void)state;
+    l.material.lighting = &l.lighting;
+    l.material.material.texture = &texture;
+    for (unsigned k = 0; k < SHADERS; k++) {
+        l.material.material.shader = shaders[k];
+        assert_int_equal(refused_with(&l, &mesh, many[k]), ZS_OK);
+        if (many[k])
+            assert_int_equal(refused_with(&l, &mesh, (uint8_t)(many[k] - 1)), ZS_ERR_VARYINGS);
+    }
 }
 
 static void bad_lights_are_refused(void **state)
 {
-    static const int16_t pos[3][3] = { { 0, 0, -200 }, { 90, 0, -200 }, { 0, 90, -200 } };
-    static const uint16_t tri[1][3] = { { 0, 1, 2 } };
-    static const zs_q1_15 normal[3][3] = { { 0, 0, 32767 }, { 0, 0, 32767 }, { 0, 0, 32767 } };
-    const struct zs_mesh mesh = { .pos = pos, .tri = tri, .normal = normal, .n_verts = 3, .n_tris = 1, .radius = 300 };
-    const struct zs_mesh bare = { .pos = pos, .tri = tri, .n_verts = 3, .n_tris = 1, .radius = 300 };
+    const struct zs_mesh mesh = { .pos = one_pos, .tri = one_tri, .normal = one_normal, .n_verts = 3, .n_tris = 1,
+                                  .radius = 300 };
+    const struct zs_mesh bare = { .pos = one_pos, .tri = one_tri, .n_verts = 3, .n_tris = 1, .radius = 300 };
     struct zs_lamp many[ZS_LIGHTS_MAX + 1];
     struct lights good, l;
     (void)state;
@@ -877,6 +902,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_33_a_lamp_at_the_surface),
     cmocka_unit_test(stress_34_far_away_lamps),
     cmocka_unit_test(stress_35_more_light_than_white),
+    cmocka_unit_test(varyings_are_as_many_as_is_said),
     cmocka_unit_test(bad_lights_are_refused)
 };
 
