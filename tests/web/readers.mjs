@@ -77,6 +77,11 @@ await same('a_material_with_a_hash', {
     'hash.obj': `mtllib hash.mtl\n${points}usemtl Material #25\n${faces.join('\n')}\n`,
     'hash.mtl': 'newmtl Material #25\nKd 1 0 0\n',
 });
+await same('names_that_end_in_a_backslash', {
+    'backslash.obj': `mtllib backslash.mtl\n${points}usemtl red\\\n${faces[0]}\nusemtl C:\\red\\\r\n${faces[1]}\n` +
+        'usemtl red\\\n',
+    'backslash.mtl': 'newmtl red\\\nKd 1 0 0\nnewmtl red\nKd 0 1 0\nnewmtl C:\\red\\\nKd 0 0 1\n',
+});
 await same('several_material_files', {
     'several.obj': `usemtl red\nmtllib several.mtl other.mtl\n${points}${faces[0]}\nusemtl blue\n${faces[1]}\n`,
     'several.mtl': red,
@@ -93,6 +98,9 @@ async function losses(name, files, wanted) {
     console.log(said === wanted ? `ok web_${name}` : `FAILED web_${name}: ${said}`);
     failed |= said !== wanted;
 }
+await losses('names_curves_and_surfaces',
+    {'curves.obj': `${points}${faces[0]}\ncstype bezier\ndeg 1\ncurv 0 1 1 2\nparm u 0 1\nend\nsurf 0 1 0 1 1 2 3 4\n`},
+    'curves and surfaces are left out');
 for (const map of [ 'map_d other.png', 'map_Bump bump.png', 'norm normal.png' ])
     await losses(`names_${map.split(' ')[0]}`, {
         'mask.obj': `mtllib mask.mtl\n${points}usemtl t\n${faces[0]}\n`,
@@ -125,10 +133,12 @@ for (const [ name, file, kd ] of [ [ 'blanks', 'my picture.png', '1 1 1' ], [ 'a
 
 // ---- PLY: colours of each type, positions of another precision, other line ends
 
-function ply(type, colors, {position = 'float', names = [ 'red', 'green', 'blue' ], by = 1, end = '\n', face = ''} = {}) {
+function ply(type, colors, more = {}) {
+    const {position = 'float', names = [ 'red', 'green', 'blue' ], by = 1, end = '\n', face = ''} = more;
     const corners = [ [ 0.1, 0, 0 ], [ 2, 0.1, 0 ], [ 2.3, 2.1, 1 ], [ 0, 2, 0.7 ] ];
     return [
-        'ply', 'format ascii 1.0', 'element vertex 4', ...[ 'x', 'y', 'z' ].map((name) => `property ${position} ${name}`),
+        'ply', 'format ascii 1.0', 'element vertex 4',
+        ...[ 'x', 'y', 'z' ].map((name) => `property ${position} ${name}`),
         ...names.map((name) => `property ${type} ${name}`), 'element face 2', 'property list uchar int vertex_indices',
         ...(face ? [ face ] : []), 'end_header',
         ...corners.map((p, i) => [...p.map((c) => by * c), ...names.map((_, k) => colors[(i + k) % 3]) ].join(' ')),
@@ -152,6 +162,13 @@ const others = {
 };
 for (const [ loss, what ] of Object.entries(others))
     await losses(`names_${loss.replaceAll(' ', '_')}`, {'other.ply': ply('uchar', types.uchar, what)}, loss);
+const foo = 'element foo 2\nproperty list uchar int bar\n', strips = foo.replaceAll('foo 2', 'tristrips 1');
+const plain = ply('uchar', types.uchar);
+await same('elements_of_other_names', {'foo.ply': plain.replace('element vertex', `${foo}element vertex`)
+    .replace('element face', `${foo.replaceAll('foo', 'more')}element face`)
+    .replace('end_header\n', 'end_header\n2 7 8\n1 9\n').replace('3 0 1 2\n', '3 1 2 3\n1 9\n3 0 1 2\n')});
+await losses('names_triangle_strips', {'strips.ply': plain.replace('element face', `${strips}element face`)
+    .replace('3 0 1 2\n', '4 0 1 2 3\n3 0 1 2\n')}, 'triangle strips are left out');
 
 // ---- STL: colours of faces, facets of four vertices
 

@@ -42,11 +42,10 @@ export function readMtl(text) {
         const all = numbers.length > 0 ? [0, 1, 2].map((k) => numbers[Math.min(k, numbers.length - 1)]) : null;
         const is = (word) => key.toLowerCase() === word;
         if (is('newmtl')) {
-            now = { name: said, color: [0.6, 0.6, 0.6], factor: [1, 1, 1], power: 0 }; /* as assimp has them */
+            now = { name: said, color: [1, 1, 1], factor: [1, 1, 1], power: 0 };
             materials.set(said, now);
         } else if (now === null) continue;
-        else if (is('kd') && all)
-            Object.assign(now, { factor: all, color: [0, 1, 2].map((k) => Number(words[k]) || 0) });
+        else if (is('kd') && all) now.color = now.factor = all;
         else if (is('ke') && all) now.emission = all;
         else if (is('ks') && all) now.specular = all;
         else if (is('ns') && all) [now.power] = numbers;
@@ -99,6 +98,7 @@ export function readObj(name, text, other = () => null) {
     const lines = text
         .replace(/^\ufeff/, '')
         .replace(/((?:^|[ \t\r\n])#[^\r\n]*?)\\+(?=[ \t]*\r?\n)/g, '$1') // a comment does not go on
+        .replace(/^([ \t]*(?:usemtl|mtllib)[ \t][^\r\n]*\\)(?=\r?\n)/gm, '$1 ') // nor does a name
         .replace(/\\\r?\n/g, ' \x01 ') // a line goes on
         .split(/\r\n|\n|\r/);
     const fail = (line, why) => {
@@ -194,6 +194,8 @@ export function readObj(name, text, other = () => null) {
             continue;
         } else if (word[0] === 'l' || word[0] === 'p') {
             lost.add('lines and points');
+        } else if (word[0] === 'curv' || word[0] === 'surf') {
+            lost.add('curves and surfaces');
         }
     }
     const beyond = (line, what, n, all) => fail(line, `${what} index ${n} is out of range: the file has ${all.length}`);

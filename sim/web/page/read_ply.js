@@ -144,6 +144,7 @@ export function readPly(name, bytes) {
     const losses = [];
     if (has('vertex', ['diffuse_red'])) losses.push('colours of the name diffuse_red are left out');
     if (has('face', ['red', 'diffuse_red'])) losses.push('colours of faces are left out');
+    if (countOf('tristrips') > 0) losses.push('triangle strips are left out');
     return corners.model(name, { losses });
 }
 

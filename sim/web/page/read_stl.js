@@ -22,8 +22,8 @@ function notFinite(name, vertex, solid) {
     );
 }
 
-/* Colours of a binary file's faces, of their attribute words: a word without bit 15 is none. Materialise Magics names its
- * own in the header, and one that faces without have; zsim takes them as they stand, which is a loss. */
+/* Colours of a binary file's faces, of their attribute words: a word without bit 15 is none. Materialise Magics names
+ * its own in the header, and one that faces without have; zsim takes them as they stand, which is a loss. */
 function colorsOf(bytes, words, losses) {
     const at = String.fromCharCode(...bytes.subarray(0, 80)).indexOf('COLOR='),
         magics = at >= 0 && at <= 74,
