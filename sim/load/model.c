@@ -404,9 +404,14 @@ static struct zs_rgb material_rgb(const struct load *l, const struct aiMaterial 
         return plain;
     struct aiString name;
     if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
-        (strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0 ||
-         (l->family == FAMILY_OBJ && sim_mtl_find(&l->mtl, name.data) == NULL))) /* 0.6 */
+        strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0) /* 0.6 */
         return plain;
+    if (l->family == FAMILY_OBJ) { /* assimp takes 0.6 where there is no Kd, and green and blue of one number as 0 */
+        const struct sim_mtl_entry *mtl = sim_mtl_find(&l->mtl, name.data);
+        if (mtl == NULL)
+            return plain;
+        return to_rgb(&(struct aiColor4D){ (float)mtl->kd[0], (float)mtl->kd[1], (float)mtl->kd[2], 1.0f });
+    }
     if (aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &c) != aiReturn_SUCCESS)
         return plain;
     return to_rgb(&c);
@@ -469,6 +474,8 @@ static void count_losses(struct load *l)
         memset(&model->lost[SIM_LOST_VERTEX_ALPHA], 0, sizeof *model->lost);
     for (size_t i = 0; i < l->obj.n_lines; i++)
         sim_lose(model->lost, SIM_LOST_LINES, "");
+    for (size_t i = 0; i < l->obj.n_curves; i++)
+        sim_lose(model->lost, SIM_LOST_CURVES, "");
     for (uint32_t i = 0; i < model->n_materials; i++) /* all of it is to be cut out */
         if (used[i] && model->material[i].alpha_mode == SIM_ALPHA_MASK && model->material[i].alpha < 255 &&
             model->material[i].alpha_least == 255)
@@ -698,7 +705,7 @@ static int look_through(struct load *l)
     if (status == SIM_OK && l->family == FAMILY_OBJ)
         status = sim_obj_scan(&l->obj, l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_PLY)
-        status = sim_ply_check(l->model->lost, l->file, l->text, l->bytes);
+        status = sim_ply_check(l->model->lost, l->file, l->text, &l->bytes);
     if (status == SIM_OK && l->family == FAMILY_STL)
         status = sim_stl_check(l->model->lost, l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OFF)

@@ -25,7 +25,8 @@ struct sim_obj {
     double (*uv)[2];     /* [n_uvs], every `vt`, as written: v upwards */
     uint32_t *corner_uv; /* [n_corners], its uv, or SIM_NONE */
     size_t n_points, n_corners, n_faces, n_uvs;
-    size_t n_lines; /* elements that are points and lines */
+    size_t n_lines;  /* elements that are points and lines */
+    size_t n_curves; /* elements that are curves and surfaces */
     char *text; /* absolute indices, no groups, no elements but faces: assimp keeps its order */
     size_t text_bytes;
 };
@@ -62,9 +63,9 @@ void sim_mtl_free(struct sim_mtl *mtl);
 const struct sim_mtl_entry *sim_mtl_find(const struct sim_mtl *mtl, const char *name);
 
 /* Refuse a PLY or STL file that is cut off, or in which a face is wrong, or a .glb by its header; note colours that are
- * not read. Text as above. */
+ * not read. Text as above; elements that assimp does not know are cut out of a PLY's. */
 int sim_gltf_check(const char *file, const char *text, size_t bytes);
-int sim_ply_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
+int sim_ply_check(struct sim_lost *lost, const char *file, char *text, size_t *bytes);
 int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
 
 /* Of an OFF file: note colours that are not read. */

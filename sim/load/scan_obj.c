@@ -298,7 +298,7 @@ static int take_face(struct scan *s)
     return SIM_OK;
 }
 
-/* A name may hold spaces: it goes to the end of the line. 0: there is none. */
+/* A name may hold spaces: it goes to the end of the line, which a backslash does not move. 0: there is none. */
 static int take_name(struct scan *s, const char *keyword, struct buffer *out)
 {
     while (s->p < s->end && is_space(*s->p))
@@ -311,7 +311,7 @@ static int take_name(struct scan *s, const char *keyword, struct buffer *out)
         to--;
     if (to == from || to - from >= 4096 || memchr(from, '\0', (size_t)(to - from)) != NULL)
         return 0;
-    emit(out, "%s %.*s\n", keyword, (int)(to - from), from);
+    emit(out, "%s %.*s%s\n", keyword, (int)(to - from), from, to[-1] == '\\' ? " " : ""); /* else the line goes on */
     return 1;
 }
 
@@ -330,6 +330,8 @@ static int take_line(struct scan *s)
             status = take_face(s);
         else if (token_is(&t, "l") || token_is(&t, "p"))
             s->obj->n_lines++;
+        else if (token_is(&t, "curv") || token_is(&t, "surf"))
+            s->obj->n_curves++;
         else if (token_is(&t, "mtllib"))
             (void)take_name(s, "mtllib", &s->vertices);
         else if (token_is(&t, "usemtl"))

@@ -1,4 +1,4 @@
-/* PLY: the header's promises against the body, text or binary.
+/* PLY: the header's promises against the body, text or binary. Elements that assimp does not know are cut out.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -39,6 +39,7 @@ struct element {
     unsigned long long n;
     struct property property[PROPERTIES_MAX];
     int n_properties;
+    const char *head[2], *body[2]; /* from and to: its lines of the header, its records */
 };
 
 struct ply {
@@ -115,13 +116,14 @@ static int take_property(struct ply *s, char *word[], int n)
     return SIM_OK;
 }
 
-static int take_element(struct ply *s, char *word[], int n)
+static int take_element(struct ply *s, const char *line, char *word[], int n)
 {
     char *end = NULL;
     if (n != 3 || s->n_elements == ELEMENTS_MAX || strlen(word[1]) > 31 || word[2][0] == '-')
         return sim_refuse(s->file, s->line - 1, "an element that makes no sense");
     struct element *e = &s->element[s->n_elements++];
     e->n_properties = 0;
+    e->head[0] = line;
     e->n = strtoull(word[2], &end, 10);
     if (*end != '\0')
         return sim_refuse(s->file, s->line - 1, "'%s' is not a count", word[2]);
@@ -130,6 +132,8 @@ static int take_element(struct ply *s, char *word[], int n)
         s->n_vertices = e->n;
     if (strcmp(e->name, "face") == 0)
         s->n_faces = e->n;
+    if (strcmp(e->name, "tristrips") == 0 && e->n > 0)
+        sim_lose(s->lost, SIM_LOST_STRIPS, "");
     return SIM_OK;
 }
 
@@ -174,8 +178,10 @@ static int take_header(struct ply *s)
     int n = take_words(s, text, word, 6);
     if (n != 1 || strcmp(word[0], "ply") != 0)
         return sim_refuse(s->file, 1, "not a PLY file: its first line is not `ply`");
-    while ((n = take_words(s, text, word, 6)) >= 0) {
+    for (const char *line = s->p; (n = take_words(s, text, word, 6)) >= 0; line = s->p) {
         int status = SIM_OK;
+        if (s->n_elements > 0 && n > 0 && (strcmp(word[0], "element") == 0 || strcmp(word[0], "end_header") == 0))
+            s->element[s->n_elements - 1].head[1] = line;
         if (n == 0 || strcmp(word[0], "comment") == 0 || strcmp(word[0], "obj_info") == 0)
             continue;
         if (strcmp(word[0], "end_header") == 0 && s->format != FORMAT_NONE && is_behind(s))
@@ -188,7 +194,7 @@ static int take_header(struct ply *s)
         if (strcmp(word[0], "format") == 0 && n >= 2)
             status = take_format(s, word[1]);
         else if (strcmp(word[0], "element") == 0)
-            status = take_element(s, word, n);
+            status = take_element(s, line, word, n);
         else if (strcmp(word[0], "property") == 0)
             status = take_property(s, word, n);
         else
@@ -308,8 +314,31 @@ static void skip_lines(struct ply *s, int rest)
     }
 }
 
-int sim_ply_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
+static void cut(char *text, size_t *bytes, const char *const range[2])
 {
+    memmove(text + (range[0] - text), range[1], *bytes - (size_t)(range[1] - text) + 1);
+    *bytes -= (size_t)(range[1] - range[0]);
+}
+
+/* assimp takes the records of elements that it does not know for those of faces behind them, and ends where there are
+ * triangle strips. */
+static void cut_unknown(const struct ply *s, char *text, size_t *bytes)
+{
+    static const char *const known[] = { "vertex", "face", "edge", "material" };
+    for (int part = 0; part < 2; part++) /* from behind, so that what is still to be cut stays in place */
+        for (int k = s->n_elements - 1; k >= 0; k--) {
+            const struct element *e = &s->element[k];
+            int is_known = 0;
+            for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+                is_known |= strcmp(e->name, known[i]) == 0;
+            if (!is_known)
+                cut(text, bytes, part == 0 ? e->body : e->head);
+        }
+}
+
+int sim_ply_check(struct sim_lost *lost, const char *file, char *text, size_t *n)
+{
+    const size_t bytes = *n;
     struct ply *s = sim_alloc(1, sizeof *s);
     s->file = file;
     s->lost = lost;
@@ -321,7 +350,8 @@ int sim_ply_check(struct sim_lost *lost, const char *file, const char *text, siz
         status = sim_refuse(file, 0, "no faces in it; zsim draws polygons");
     skip_lines(s, 0);
     for (int k = 0; status == SIM_OK && k < s->n_elements; k++) {
-        const struct element *e = &s->element[k];
+        struct element *e = &s->element[k];
+        e->body[0] = s->p;
         for (unsigned long long i = 0; status == SIM_OK && i < e->n && e->n_properties > 0; i++) {
             status = take_record(s, e, i);
             if (status == SIM_OK)
@@ -329,7 +359,10 @@ int sim_ply_check(struct sim_lost *lost, const char *file, const char *text, siz
             if (i % 4096 == 0)
                 sim_progress("checking", (size_t)(s->p - text), bytes);
         }
+        e->body[1] = s->p;
     }
+    if (status == SIM_OK)
+        cut_unknown(s, text, n);
     free(s);
     return status;
 }

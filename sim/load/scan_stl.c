@@ -24,10 +24,10 @@ static int is_text(const char *text, size_t bytes)
            memchr(text, '\0', bytes < 1024 ? bytes : 1024) == NULL;
 }
 
-/* Has each line of a vertex three numbers? */
-static int check_vertices(const char *file, const char *text, size_t bytes)
+/* Has each line of a vertex three numbers? A facet with more than three vertices is noted: assimp reads its first. */
+static int check_vertices(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
 {
-    uint32_t line = 1;
+    uint32_t line = 1, corners = 0;
     for (const char *p = text, *const end = text + bytes; p < end; line++) {
         const char *const from = p + strspn(p, " \t");
         const size_t n = strcspn(from, "\r\n");
@@ -41,6 +41,10 @@ static int check_vertices(const char *file, const char *text, size_t bytes)
             }
             if (numbers < 3)
                 return sim_refuse(file, line, "'%.*s' is not a vertex of three numbers", (int)(n < 40 ? n : 40), from);
+            if (++corners == 4)
+                sim_lose(lost, SIM_LOST_CORNERS, "");
+        } else if (strncmp(from, "facet", 5) == 0) {
+            corners = 0;
         }
         p = from + n;
         p += p < end && p[0] == '\r' && p[1] == '\n' ? 2 : 1;
@@ -52,7 +56,7 @@ int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, siz
 {
     const uint64_t n = bytes >= 84 ? u32(text + 80) : 0;
     const int binary = bytes >= 84 && bytes == 84 + 50 * n;
-    for (int i = 0; binary && i < 74; i++)
+    for (int i = 0; binary && i <= 74; i++)
         if (memcmp(text + i, "COLOR=", 6) == 0) { /* red and blue the other way round, and bit 15 too */
             sim_lose(lost, SIM_LOST_COLORS, "of Materialise Magics");
             break;
@@ -91,5 +95,5 @@ int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, siz
         return sim_refuse(file, 0, "cut off: its last line is not `endsolid`; get the whole file");
     if (strstr(text, "facet") == NULL)
         return sim_refuse(file, 0, "no faces in it");
-    return check_vertices(file, text, bytes);
+    return check_vertices(lost, file, text, bytes);
 }

@@ -308,6 +308,15 @@ begin obj_mtllib_behind_usemtl
 { half -50 0 && half 0 50 &&
     printf '%s\n' 'usemtl blue' 'f 1 2 3 4' 'mtllib two.mtl' 'usemtl red' 'f 5 6 7 8'; } >last.obj
 halves last.obj 0000ff ff0000
+begin mtl_colours_of_one_number_and_of_none
+printf '%s\n' 'newmtl red' 'Kd 0.5' 'newmtl blue' 'Ns 10' >two.mtl
+halves first.obj $grey 848284
+halves last.obj ffffff 848284
+begin obj_names_that_end_in_a_backslash
+printf '%s\n' 'newmtl red' 'Kd 1 0 0' 'newmtl red\' 'Kd 0 0 1' 'newmtl a\b\' 'Kd 0 1 0' >two.mtl
+{ half -50 0 && half 0 50 &&
+    printf '%s\n' 'mtllib two.mtl' 'usemtl red\' 'f 1 2 3 4' 'usemtl a\b\' 'f 5 6 7 8' 'usemtl red\'; } >slash.obj
+halves slash.obj 0000ff 00ff00
 
 begin off_colours_of_whole_numbers
 off() { # LEFT RIGHT    rgba of their vertices

@@ -753,6 +753,23 @@ z render named/tri.ply --out want.png
 z render named/cr.ply --out got.png
 is "status of a PLY" $status 0
 cmp -s want.png got.png || wrong 'a PLY with a picture of its own'
+begin elements_of_a_ply_that_have_another_name
+sed 's/^element vertex/element foo 2\nproperty list uchar int bar\n&/
+    s/^element face/element more 2\nproperty float a\n&/; s/^end_header/&\n2 7 8\n1 9/; s/^3 0 1 2/5\n6\n&/' \
+    named/tri.ply >named/foo.ply
+z render named/foo.ply --out got.png
+is "status" $status 0
+is "said" "$(cat stderr)" ''
+cmp -s want.png got.png || wrong 'a picture of its own'
+{ sed 's/^format.*/format binary_little_endian 1.0/; s/^element face/element foo 2\nproperty uchar a\n&/
+    /^end_header/q' named/tri.ply && printf '\000\000\000\000\000\000\000\000\000\000\000\000' &&
+    printf '\000\000\200\077\000\000\000\000\000\000\000\000\000\000\000\000\000\000\200\077\000\000\000\000' &&
+    printf 'ab\003\000\000\000\000\001\000\000\000\002\000\000\000'; } >named/foo.ply
+z render named/foo.ply --out got.png
+cmp -s want.png got.png || wrong 'a picture of its own where it is binary'
+sed 's/^element face/element tristrips 1\nproperty list int int vertex_indices\n&/; s/^3 0 1 2/3 0 1 2\n&/' \
+    named/tri.ply >named/strips.ply
+said_of named/strips.ply 'triangle strips (1)'
 begin extensions_that_a_gltf_requires
 sed '0,/{/s//{ "extensionsUsed": ["FOO_bar"], "extensionsRequired": ["KHR_texture_transform", "FOO_bar"],/' \
     gltf/balls.gltf >gltf/required.gltf
@@ -766,6 +783,15 @@ said_of gltf/used.gltf 'glTF extension (3, the first "KHR_materials_transmission
 begin points_and_lines_of_an_obj
 printf "${tri}p 1 2\\nf 1 2 3\\nl 1 2 3\\nl 2 3\\n" >named/lines.obj
 said_of named/lines.obj 'points and lines (3)'
+begin curves_and_surfaces_of_an_obj
+printf "${tri}f 1 2 3\\ncstype bezier\\ndeg 1\\ncurv 0 1 1 2\\nend\\nsurf 0 1 0 1 1 2 3 1\\nend\\n" >named/curves.obj
+said_of named/curves.obj 'curves and surfaces (2)'
+begin facets_of_more_than_three_vertices
+corner='vertex 1 0 0\nvertex 0 1 0\nvertex 0 0 %s\n'
+facet="facet normal 0 0 1\\nouter loop\\n$corner$corner\\nendloop\\nendfacet\\n"
+# shellcheck disable=SC2059 # the format is above
+printf "solid x\\n$facet$facet${facet%%vertex*}${corner}endloop\\nendfacet\\nendsolid x\\n" 1 2 3 4 5 >named/facets.stl
+said_of named/facets.stl 'vertices of facets beyond the third (2)'
 begin maps_of_other_names
 printf 'newmtl a\nmap_refl r.png\nmap_disp d.png\nmap_opacity o.png\nmap_Ps s.png\nmap_emissive e.png\nmap_aat on\n' \
     >named/maps.mtl
@@ -793,6 +819,8 @@ stl() { # HEADER ATTRIBUTE...    a triangle for each
         printf "\\000\\000\\000\\000\\000\\000\\200\\077\\000\\000\\000\\000$attribute"
     done
 }
+stl "$(printf %74s)COLOR=" '\037\000' >named/magics.stl
+said_of named/magics.stl 'colours in another form (1, "of Materialise Magics")'
 stl 'COLOR=abcd,MATERIAL=' '\037\000' >named/magics.stl
 said_of named/magics.stl 'colours in another form (1, "of Materialise Magics")'
 begin alpha_of_colours_that_have_none
