@@ -14,16 +14,16 @@
 /* Where the next row of the side goes. */
 struct column {
     struct view_canvas *canvas;
-    int x, y;
+    int x, y, pitch;
 };
 
 /* ---- Rows -------------------------------------------------------------------------------------------- */
 
 static void heading(struct column *at, const char *text)
 {
-    at->y += VIEW_PITCH / 2;
+    at->y += at->pitch / 2;
     view_canvas_text(at->canvas, at->x, at->y, VIEW_ACCENT, 0, VIEW_SIDE_CELLS, text);
-    at->y += VIEW_PITCH;
+    at->y += at->pitch;
     view_canvas_fill(at->canvas, at->x, at->y, VIEW_SIDE_CELLS * VIEW_CELL_W, 1, VIEW_LINE);
     at->y += 4;
 }
@@ -41,7 +41,7 @@ static void row(struct column *at, uint16_t color, const char *name, const char 
     view_canvas_text(at->canvas, at->x, at->y, VIEW_DIM, 0, VIEW_SIDE_CELLS, name);
     view_canvas_text(at->canvas, at->x + VIEW_SIDE_CELLS * VIEW_CELL_W, at->y, color, ZS_ITEM_RIGHT,
                      VIEW_SIDE_CELLS - n - 1, text);
-    at->y += VIEW_PITCH;
+    at->y += at->pitch;
 }
 
 static void settings(struct column *at, const struct view_desk *d)
@@ -114,7 +114,9 @@ static void speed(struct column *at, const struct view_figures *f)
 
 static void side(struct view_canvas *c, const struct view_desk *d, int x)
 {
-    struct column at = { c, x + VIEW_MARGIN, VIEW_MARGIN / 2 };
+    const int fits = c->h / VIEW_SIDE_LINES;
+    struct column at = { c, x + VIEW_MARGIN, VIEW_MARGIN / 2,
+                         fits >= VIEW_PITCH ? VIEW_PITCH : fits < VIEW_CELL_H ? VIEW_CELL_H : fits };
     view_canvas_fill(c, x, 0, VIEW_SIDE_W, c->h, VIEW_SIDE);
     settings(&at, d);
     frame(&at, d);

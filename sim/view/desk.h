@@ -12,12 +12,14 @@
 
 #define VIEW_SIDE_CELLS 34
 #define VIEW_MARGIN 14 /* px */
-#define VIEW_PITCH 18  /* px, from a line to the next */
+#define VIEW_PITCH 18  /* px, from a line to the next; of the side in a low window down to VIEW_CELL_H */
 #define VIEW_SIDE_W (VIEW_SIDE_CELLS * VIEW_CELL_W + 2 * VIEW_MARGIN)
 #define VIEW_BAR_LINES 6
 #define VIEW_BAR_H (VIEW_BAR_LINES * VIEW_PITCH + VIEW_MARGIN)
 #define VIEW_LEAST_W (VIEW_SIDE_W + 256)
-#define VIEW_LEAST_H (43 * VIEW_PITCH)
+#define VIEW_SIDE_LINES 43
+#define VIEW_LEAST_H (VIEW_SIDE_LINES * VIEW_PITCH) /* or as high as the desktop is, but not below the next */
+#define VIEW_LOWEST_H (VIEW_SIDE_LINES * VIEW_CELL_H)
 
 struct view_desk {
     const struct view_shot *shot;       /* what is seen */

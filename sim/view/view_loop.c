@@ -372,14 +372,15 @@ static int open_window(struct view *v)
     int status = view_desktop_size(&w, &h);
     if (status != SIM_OK)
         return status;
-    int scale = view_desk_scale(p, w, h - 2 * VIEW_PITCH); /* the window has a title */
+    h -= 2 * VIEW_PITCH; /* the window has a title */
+    int scale = view_desk_scale(p, w, h);
+    const int least = h >= VIEW_LEAST_H ? VIEW_LEAST_H : h < VIEW_LOWEST_H ? VIEW_LOWEST_H : h;
     while (scale > 1 && (int)p->height * scale > VIEW_LEAST_H)
         scale--;
     w = VIEW_SIDE_W + (int)p->width * scale;
     h = VIEW_BAR_H + (int)p->height * scale;
     (void)snprintf(title, sizeof title, "%s: %s", sim_program, slash != NULL ? slash + 1 : what);
-    return view_window_open(&v->window, title, w > h ? w : h, h < VIEW_LEAST_H ? VIEW_LEAST_H : h, VIEW_LEAST_W,
-                            VIEW_LEAST_H);
+    return view_window_open(&v->window, title, w > h ? w : h, h < least ? least : h, VIEW_LEAST_W, least);
 }
 
 int view_loop(const struct view_words *words)

@@ -413,6 +413,20 @@ until_ "the reason" words 'triangles face away'
 press q
 end
 
+begin a_low_desktop
+home=$DISPLAY
+Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp -noreset 3>number >xvfb768.log 2>&1 &
+low=$!
+read -r screen <number
+DISPLAY=:$screen
+open_ box.obj $small
+[ "$(height)" -le 732 ] || wrong "the window is $(height) px high on a screen of 768"
+written_there '^  *esp32-c3 +[0-9.]+$|esp32-c3 +[0-9.]+$'
+press q
+end
+kill $low
+DISPLAY=$home
+
 begin no_desktop
 Xvfb -displayfd 3 -screen 0 1280x1024x16 -nolisten tcp -noreset 3>number >xvfb16.log 2>&1 &
 pid=$!
