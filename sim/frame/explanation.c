@@ -14,7 +14,20 @@ struct line {
     const char *file;
     char text[512];
     size_t n;
+    int has_length; /* flag: one of them names a length of the world */
 };
+
+/* What stands beside such a length. */
+static int names_length(const char *text)
+{
+    static const char *const words[] = { "near = ", "far = ", "behind the eye", " ahead", "whose radius is",
+                                         "across, its centre", "its height is", "the camera's height is",
+                                         "world units" };
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+        if (strstr(text, words[i]) != NULL)
+            return 1;
+    return 0;
+}
 
 /* A piece of a sentence; its last one ends with a line feed. */
 static void say(void *ctx, const char *text)
@@ -26,6 +39,7 @@ static void say(void *ctx, const char *text)
                 line->text[line->n++] = *text;
         } else {
             line->text[line->n] = '\0';
+            line->has_length |= names_length(line->text);
             (void)sim_refuse(line->file, 0, "%s", line->text);
             line->n = 0;
         }
@@ -42,7 +56,7 @@ uint32_t sim_explain(const char *file, const struct zs_scene *scene, const struc
                            ? zs_explain(&renderer, scene, camera, say, &line)
                            : zs_explain_init(&renderer, config, arena, bytes, say, &line);
     free(arena);
-    if (n > 0)
+    if (line.has_length)
         (void)sim_refuse(file, 0, "lengths are in world units, of which a unit of the model has %.6g", 1.0 / unit);
     return n;
 }

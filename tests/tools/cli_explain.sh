@@ -33,6 +33,9 @@ says() { # NAME SENTENCE MODEL OPTION...
     [ $status -eq 0 ] && [ ! -s stdout ] || wrong "status $status: $(said)"
     head -n 1 stderr | grep -qE -- "^zsim: [a-z]*\.obj: $sentence" || wrong "'$sentence' is not in: $(said)"
 }
+units() { # COUNT    lines that say what a world unit is
+    is "lines about world units" "$(grep -c 'world units, of which' stderr)" "$1"
+}
 silent() { # NAME MODEL OPTION...
     begin "silent_$1"
     shift
@@ -49,14 +52,18 @@ says far 'instance 0 is out of view: it begins [0-9]* beyond far = [0-9]*; move 
     cube.obj --eye 0,0,50 --near 1 --far 20
 is "the last line" "$(tail -n 1 stderr | cut -c -52)" "zsim: cube.obj: lengths are in world units, of which"
 says behind 'instance 0 is behind the camera: it ends [0-9]* behind the eye' cube.obj --eye 0,0,9 --at 0,0,20
+units 1
 says inside 'the camera is inside instance 0' cube.obj --eye 0,0,0 --at 0,0,1
+units 1
 says narrow 'the camera sees less than one degree: was ZS_DEGREES meant' cube.obj --fov 0.5
 says facing 'instance 0: 1 of 1 triangles face away: the winding is wrong' below.obj --eye 0,5,1
 says dark "the light's ambient and diffuse are 0" cube.obj --ambient 0 --diffuse 0
+units 0
 says black "instance 0 is black: its material's rgb is 0; give it a colour" cube.obj --color 000000 --background 4060ff
 says background "instance 0 has the background's colour" cube.obj --color 000000 --background 000000
 says pools 'the frame takes [0-9]* passes; one needs max_tris [0-9]* \(it is 3\)' cube.obj --tris 3 --verts 5
 says strips 'strips of 1 rows are slow' cube.obj --strip 1
+units 0
 
 begin refused_by_instance
 z render cube.obj --explain --out out/y.png --near 1e-9
