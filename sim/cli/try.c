@@ -236,13 +236,15 @@ static int save(const struct request *rq, const struct sim_moving *turn,
                 const struct sim_moving *sheet)
 {
     static const char *const names[] = { "turntable.png", "sheet.png", "turntable.gif" };
+    char paths[3][4096];
     int status = sim_output_folder(rq->out, 4096 - 64);
+    for (int i = 0; status == SIM_OK && i < 2 + rq->gif; i++) { /* all of them before the first is written */
+        (void)snprintf(paths[i], sizeof paths[i], "%s/%s", rq->out, names[i]);
+        status = sim_output_check(paths[i], rq->o.model);
+    }
     for (int i = 0; status == SIM_OK && i < 2 + rq->gif; i++) {
-        char path[4096];
-        (void)snprintf(path, sizeof path, "%s/%s", rq->out, names[i]);
-        status = sim_output_check(path, rq->o.model);
-        if (status == SIM_OK)
-            status = i == 1 ? save_sheet(path, sheet) : sim_moving_save(path, turn);
+        const char *path = paths[i];
+        status = i == 1 ? save_sheet(path, sheet) : sim_moving_save(path, turn);
         if (status == SIM_OK)
             printf("%s%s", i > 0 ? ", " : "", path);
     }

@@ -87,8 +87,8 @@ static int shoot(struct gallery_shot *shot, const struct demo *demo, const struc
     err = err ? err : count_wrong(&shot->wrong, id, &f, &config);
     err = err ? err : sim_costs_count(&counted, &f.scene, &f.camera, &config);
     if (!err) {
-        shot->instructions = sim_costs_sum(SIM_CORE_M3, &counted);
-        shot->estimated = 1;
+        if (shot->estimated)
+            shot->instructions = sim_costs_sum(SIM_CORE_M3, &counted);
         shot->pixels = (uint32_t)demo->width * demo->height;
         for (uint32_t i = 0; i < shot->pixels; i++) {
             shot->visible += id[i] != 0;
@@ -130,7 +130,7 @@ static int read_counts(struct gallery_shot (*shot)[GALLERY_SCENES], const char *
                  : sim_refuse(name, 0, "has no line METHOD,SCENE,INSTRUCTIONS of a method and scene of the gallery");
 }
 
-static int draw_all(struct gallery_shot (*shot)[GALLERY_SCENES], const struct request *rq)
+static int draw_all(struct gallery_shot (*shot)[GALLERY_SCENES])
 {
     int status = SIM_OK;
     for (size_t m = 0; m < SIM_METHODS; m++)
@@ -139,7 +139,7 @@ static int draw_all(struct gallery_shot (*shot)[GALLERY_SCENES], const struct re
             status = shoot(&shot[m][i], scenes[i], &sim_methods[m]);
         }
     sim_progress_end();
-    return status == SIM_OK && rq->counts ? read_counts(shot, rq->counts) : status;
+    return status;
 }
 
 static int write_page(struct gallery_shot (*shot)[GALLERY_SCENES], const struct sim_picture *effect,
@@ -187,12 +187,18 @@ int sim_gallery(int argc, char **argv)
         sim_option_help(table, N_TABLE, &help);
         return SIM_OK;
     }
-    if (status == SIM_OK)
-        status = sim_output_folder(rq.out, 4096 - 64);
     if (status != SIM_OK)
         return status;
     shot = sim_alloc(SIM_METHODS, sizeof *shot);
-    status = draw_all(shot, &rq);
+    for (size_t m = 0; m < SIM_METHODS; m++)
+        for (size_t i = 0; i < GALLERY_SCENES; i++)
+            shot[m][i].estimated = 1;
+    if (rq.counts != NULL)
+        status = read_counts(shot, rq.counts);
+    if (status == SIM_OK)
+        status = sim_output_folder(rq.out, 4096 - 64);
+    if (status == SIM_OK)
+        status = draw_all(shot);
     for (size_t k = 0; status == SIM_OK && k < GALLERY_EFFECTS; k++)
         status = gallery_effect_draw(&effect[k], &gallery_effects[k]);
     if (status == SIM_OK) {

@@ -42,10 +42,11 @@ is "painter writes each fragment" "$(figure corridor painter writes)" "$(figure 
 [ "$(figure corridor painter wrong)" -ge 5000 ] || wrong "painter: only $(figure corridor painter wrong) wrong pixels"
 
 begin gallery_refusals
-z gallery --m3 nothing
+z gallery --out none --m3 nothing
 one_line 1 'nothing: cannot be read'
 printf 'painter,moon,1\n' >counts
-z gallery --m3 counts
+z gallery --out none --m3 counts
+[ ! -e none ] || wrong "a refused command leaves a folder"
 one_line 1 'counts: has no line METHOD,SCENE,INSTRUCTIONS'
 z gallery --size 9x9
 one_line 2 "unknown option '--size'"

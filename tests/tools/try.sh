@@ -322,6 +322,10 @@ printf 'v 0 0 0\nv 1 0 0\nf 1 2 1\n' >flat.obj
 z try ball.obj --frames 361 --out none
 one_line 1 'frames 361 is outside its range'
 [ ! -e none ] || wrong "a refused command leaves files"
+mkdir -p folder/sheet.png
+z try ball.obj --out folder
+one_line 1 'folder/sheet.png: cannot be written: it is a directory'
+is "files beside a folder sheet.png" "$(ls -A folder)" sheet.png
 z try ball.obj --out ball.obj
 [ $status -eq 1 ] && [ "$(head -c 2 ball.obj)" = "v " ] || wrong "status $status where DIR is a file"
 finish
