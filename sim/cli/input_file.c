@@ -23,9 +23,14 @@ int sim_file_read(const char *name, uint8_t **bytes, size_t *n)
             (void)fclose(f);
         return sim_refuse(name, 0, "cannot be read: %s", strerror(why));
     }
-    *n = S_ISREG(st.st_mode) ? (size_t)st.st_size : 0;
+    if (!S_ISREG(st.st_mode)) {
+        (void)fclose(f);
+        return sim_refuse(name, 0, "is not a regular file; %s",
+                          S_ISDIR(st.st_mode) ? "name a file in it" : "write its bytes to one, and name that");
+    }
+    *n = (size_t)st.st_size;
     *bytes = sim_alloc(*n + 1, 1);
-    const int whole = S_ISREG(st.st_mode) && fread(*bytes, 1, *n, f) == *n;
+    const int whole = fread(*bytes, 1, *n, f) == *n;
     (void)fclose(f);
     if (whole)
         return SIM_OK;

@@ -708,6 +708,8 @@ for model in quad.obj quad_ascii.ply quad_ascii.stl quad.gltf; do
 done
 iconv -f UTF-8 -t UTF-32BE quad.obj >wide.obj
 refused utf32 'is UTF-32 text; save it as UTF-8' wide.obj
+echo 'no model' >words.txt
+refused unknown_format 'is of no format that is known by its name or its bytes; zsim reads OBJ, PLY' words.txt
 printf 'newmtl A\nKd 1 0 0\n' | iconv -f UTF-8 -t UTF-16LE >wide.mtl
 obj wide_mtl 'mtllib wide.mtl' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'usemtl A' 'f 1 2 3'
 what='wide.mtl: is UTF-16 text'

@@ -168,6 +168,11 @@ words 0011 2029 >bits.bin
 words 1141 >letter.bin
 words 0511 >both.bin
 stream_refused stream_missing 'none.bin: cannot be read' --panel st7789:240x240 --decode none.bin --out x.png
+mkfifo pipe.bin
+cat stream.bin >pipe.bin &
+stream_refused stream_pipe 'pipe.bin: is not a regular file; write its bytes to one' --panel st7789:240x240 \
+    --decode pipe.bin --out x.png
+stream_refused stream_folder '.: is not a regular file; name a file in it' --panel st7789:240x240 --decode . --out x.png
 stream_refused stream_odd 'odd.bin: has 3 bytes' --panel st7789:240x240 --decode odd.bin --out x.png
 stream_refused stream_bits 'word 1 is 0x2029' --panel st7789:240x240 --decode bits.bin --out x.png
 stream_refused stream_mark 'word 0 is 0x0511' --panel st7789:240x240 --decode both.bin --out x.png
