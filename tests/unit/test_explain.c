@@ -1264,6 +1264,8 @@ MAKE(front_culled, w->red.cull = ZS_CULL_FRONT)
 MAKE(height_in_units, w->camera.height = 5000)
 MAKE(face_rgb_smooth, w->cube.face_rgb = grey)
 MAKE(vertex_rgb_flat, w->cube.vertex_rgb = grey)
+MAKE(vertex_rgb_flat_green, w->cube.vertex_rgb = grey; w->red.rgb = (struct zs_rgb)ZS_RGB(0x00ff00))
+MAKE(vertex_rgb_flat_blue, w->cube.vertex_rgb = grey; w->red.rgb = (struct zs_rgb)ZS_RGB(0x0000ff))
 static const uint16_t side_beyond[4][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 8 } };
 MAKE(line_beyond, const struct zs_lines lines = { ZS_LINES(side_beyond, 4), .width = 2 }; w->lines = lines)
 
@@ -1327,6 +1329,8 @@ static const struct mistake sizes[] = {
       I0 " is refused: the camera's height is 0.076, too small for it: was 5000 * 65536 meant?\n" },
     { "face_rgb, smooth, and red", smooth, face_rgb_smooth, 0, COLORS },
     { "vertex_rgb, flat, and red", NULL, vertex_rgb_flat, 0, COLORS },
+    { "vertex_rgb, flat, and green", NULL, vertex_rgb_flat_green, 0, COLORS },
+    { "vertex_rgb, flat, and blue", NULL, vertex_rgb_flat_blue, 0, COLORS },
     { "a line beyond", with_lines, line_beyond, 0, I0 ": 1 of its lines or points name a vertex that is not there" },
     { "log2_w for log2_h", wide_picture, exchanged, 0, ROWS_ARE("64") "4, which is 16: are log2_w and log2_h right" },
     { "log2_h for log2_w", high_picture, log2_more, 0, ROWS_ARE("16") "5, which is 32" },
