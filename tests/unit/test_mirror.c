@@ -650,7 +650,8 @@ static void stress_42_a_bias_that_saturates(void **state)
     picture_free(&p);
 }
 
-/* The eye's picture in a mirror is not in whole world units. What is close to near or far is there all the same. */
+/* The eye's picture in a mirror is not in whole world units. What is close to near or far is there all the same, and
+ * what is far beside is culled. */
 static void close_to_near_and_far_in_a_mirror(void **state)
 {
     static const int16_t corner[3][3] = { { 8, 0, 0 }, { 0, 8, 0 }, { 0, 0, -8 } }; /* 1/256 world unit each */
@@ -662,8 +663,9 @@ static void close_to_near_and_far_in_a_mirror(void **state)
     facing(&m, 20);
     const struct zs_mesh mesh = { .pos = corner, .tri = tri, .face_raw = raw, .n_verts = 3, .n_tris = 1, .radius = 9,
                                   .scale = 256 };
-    const struct zs_instance in = { .mesh = &mesh, .material = &raw_both, .pose.pos = { 1, 1, 1 } };
-    const struct zs_scene scene = { .instance = &in, .n_instances = 1, .background = SKY };
+    const struct zs_instance in[2] = { { .mesh = &mesh, .material = &raw_both, .pose.pos = { 1, 1, 1 } },
+                                       { .mesh = &mesh, .material = &raw_both, .pose.pos = { 7, -5, 1 } } };
+    const struct zs_scene scene = { .instance = in, .n_instances = 2, .background = SKY };
     const struct zs_config c = picture_config(W, H, &zs_depth_linear);
     const struct zs_pass pass = { .scene = &scene, .camera = &m.camera, .mirror = &m.mirror };
     assert_int_equal(zs_mirror_plane(&m.mirror, point, normal), ZS_OK);
@@ -673,6 +675,7 @@ static void close_to_near_and_far_in_a_mirror(void **state)
     assert_in_range(count(&want, 1), 3, 20);
     m.camera.z_near = (zs_q48_16)((axis - 0.1) * 65536);
     struct picture at_near = picture_passes(&c, &pass, 1);
+    assert_int_equal(at_near.stats.instances_culled, 1);
     m.camera.z_near = 65536;
     m.camera.z_far = (zs_q48_16)((axis + 0.1) * 65536);
     struct picture at_far = picture_passes(&c, &pass, 1);
