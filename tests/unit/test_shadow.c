@@ -438,6 +438,17 @@ static void what_is_refused(void **state)
     t.mesh.scale = UINT32_MAX;
     assert_int_equal(flattened(&t), ZS_ERR_RANGE);
     thing_make(&t, &p, 1);
+    t.light.point = 0;
+    dir_set(&t, 0, 1, 0);
+    memset(t.pos, 0, sizeof t.pos);
+    memset(t.mesh.center, 0, sizeof t.mesh.center);
+    t.mesh.radius = 1;
+    t.instance.pose.scale = ZS_Q16_ONE;
+    t.mesh.scale = 32768u * ZS_Q16_ONE; /* world units a step, the first that is too large */
+    assert_int_equal(flattened(&t), ZS_ERR_RANGE);
+    t.mesh.scale--;
+    assert_int_equal(flattened(&t), ZS_OK);
+    thing_make(&t, &p, 1);
     assert_int_equal(zs_shadow_flatten(NULL, &mesh, NULL, &t.instance, &t.plane, &t.light), ZS_ERR_NULL);
     assert_int_equal(zs_shadow_flatten(&shadow, &mesh, NULL, &t.instance, &t.plane, &t.light), ZS_ERR_NULL);
     t.instance.mesh = NULL;
