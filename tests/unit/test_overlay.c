@@ -643,6 +643,38 @@ static int change_case(uint64_t seed)
     return 1;
 }
 
+/* Whatever an item is drawn from has changed when it is another number, and has not changed the next time. */
+static void every_field_is_noticed(void **state)
+{
+    static const uint16_t px[2][16];
+    static const uint8_t alpha[32];
+    struct zs_sprite sprite = { .pixel = px[0], .palette = px[0], .alpha = alpha, .w = 4, .h = 4 };
+    struct zs_item item = { .kind = &zs_item_sprite, .w = 8, .h = 8, .sprite = &sprite };
+    uint32_t memory[ZS_OVERLAY_WORDS(1)];
+    struct zs_overlay over = { .item = &item, .n = 1, .memory = memory, .room = 1 };
+    struct zs_rect rect;
+    assert_int_equal(zs_overlay_changes(&over, &rect), 1);
+#define IS(value) (zs_overlay_changes(&over, &rect) == (value) && !zs_overlay_changes(&over, &rect))
+#define NOTICED(field) assert_true(IS(0) && ((field)++, IS(1)) && ((field)--, IS(1)))
+    NOTICED(item.x), NOTICED(item.y), NOTICED(item.w), NOTICED(item.h), NOTICED(item.color), NOTICED(item.back);
+    NOTICED(item.clear), NOTICED(item.back_clear), NOTICED(item.size), NOTICED(item.flags), NOTICED(item.value);
+    NOTICED(item.from), NOTICED(item.sweep);
+    NOTICED(sprite.palette), NOTICED(sprite.alpha), NOTICED(sprite.w), NOTICED(sprite.h), NOTICED(sprite.key);
+    NOTICED(sprite.format), NOTICED(sprite.alpha_kind), NOTICED(sprite.left), NOTICED(sprite.top);
+    NOTICED(sprite.right), NOTICED(sprite.bottom);
+#undef NOTICED
+    sprite.pixel = px[1];
+    assert_true(IS(1));
+    item.sprite = NULL;
+    assert_true(IS(1));
+    item.kind = &zs_item_text;
+    item.text = "a";
+    assert_true(IS(1));
+    item.text = "b";
+    assert_true(IS(1));
+#undef IS
+}
+
 /* ---- Letters ----------------------------------------------------------------------------------- */
 
 static void letters(const char *text, const char *const rows[8])
@@ -787,6 +819,7 @@ static void wrong_items_are_named(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(every_field_is_noticed),
     cmocka_unit_test(letters_look_like_this),
     cmocka_unit_test(every_letter_is_another),
     cmocka_unit_test(wrong_items_are_named),
