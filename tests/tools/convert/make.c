@@ -12,7 +12,7 @@
  *     make looks FOLDER NAME MORE MATERIAL... bowls in a row, a glTF material each; textures 0: hole.png, 1: fade.png,
  *                                             2: red.png. MORE: mesh, scene or both have what is not carried over; -
  *     make psnr A.png B.ppm                   how alike they are, dB
- *     make sum A.png                          FNV-1a of its RGB565 values, high byte first; its colours
+ *     make sum A.png...                       of each FNV-1a of its RGB565 values, high byte first; its colours
  *
  * SPDX-License-Identifier: MIT
  */
@@ -382,7 +382,7 @@ static void psnr(const char *a, const char *b)
 static void sum(const char *file)
 {
     png_image image = { .version = PNG_IMAGE_VERSION };
-    static uint8_t seen[65536];
+    uint8_t seen[65536] = { 0 };
     uint32_t h = 2166136261u, colors = 0;
     if (!png_image_begin_read_from_file(&image, file))
         exit(1);
@@ -419,8 +419,9 @@ int main(int argc, char **argv)
         png(argv[2], (unsigned)atoi(argv[3]), (unsigned)atoi(argv[4]), argv[5]);
     else if (strcmp(what, "psnr") == 0 && argc == 4)
         psnr(argv[2], argv[3]);
-    else if (strcmp(what, "sum") == 0 && argc == 3)
-        sum(argv[2]);
+    else if (strcmp(what, "sum") == 0 && argc > 2)
+        for (int i = 2; i < argc; i++)
+            sum(argv[i]);
     else if (strcmp(what, "jpeg") == 0 && argc == 5)
         jpeg((unsigned)atoi(argv[2]), (unsigned)atoi(argv[3]), argv[4]);
     else if (strcmp(what, "leaf") == 0 && argc == 6)
