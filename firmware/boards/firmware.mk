@@ -6,7 +6,7 @@
 # NAME=name APP_SRC=files [APP_FLAGS=flags] [EXTRA=objects] [APP_LINK=flags]: any other program; flags of the compiler
 #   and of the linker
 # DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
-#   another choice compiles all anew
+#   another choice compiles all anew that sees it: the renderer sees -DZS_... alone
 # METHOD=painter: the show by a method of hidden-surface removal (zs_method.h), $(ELF) with _painter in its name
 # LEAN=1: least flash: no accelerators (firmware/zstrip/fast is not compiled), -Os; $(B)/fw/$(BOARD)-lean
 # CORES=2: the show is drawn by two cores, $(B)/fw/$(BOARD)-2
@@ -137,6 +137,7 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sectio
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
 include firmware/boards/note.mk
 DEFINED := $(call note,$(OUT)/defines,$(DEFINES))
+DEFINED_ZS := $(call note,$(OUT)/defines-zs,$(filter -DZS_%,$(DEFINES)))
 FLAGGED := $(call note,$(OUT)/of-$(NAME)/flags,$(APP_FLAGS))
 LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA) $(APP_LINK))
 
@@ -154,6 +155,8 @@ GEN = -I$(B)/gen
 $(LIBRARY_OBJ) $(patsubst %.c,$(OUT)/%.o,$(PANELS)): GEN =
 $(sort $(COMMON_OBJ) $(LIBRARY_OBJ)): BOARD_FLAGS =
 $(sort $(COMMON_OBJ) $(LIBRARY_OBJ)): override DEFINES := $(filter -DZS_%,$(DEFINES))
+$(sort $(COMMON_OBJ) $(LIBRARY_OBJ)): $(DEFINED_ZS)
+$(filter-out $(COMMON_OBJ) $(LIBRARY_OBJ) $(CORE_OBJ:%=%/%),$(OBJ)): $(DEFINED)
 # Meshes are data: the same for all cores of a kind
 MESH_OBJ = $(OUT)/$(B)/gen/meshes.o
 $(MESH_OBJ): override BOARD_CPU := $(or $(DATA_CPU),$(BOARD_CPU))
@@ -175,9 +178,9 @@ $(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS) $(LINKED)
 	    2>$@.log || \
 	    { cat $@.log >&2; ! grep -q overflowed $@.log || echo '$(FULL)' >&2; exit 1; }
 	@cat $@.log >&2; rm -f $@.log
-$(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED) $(FLAGGED)
+$(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(FLAGGED)
 	$(BOARD_CC) $(CFLAGS) $(APP_FLAGS) -c $< -o $@
-$(OUT)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED)
+$(OUT)/%.o: %.c firmware/boards/$(BOARD)/board.mk
 	$(BOARD_CC) $(CFLAGS) -c $< -o $@
 $(OUT)/%.o: %.S firmware/boards/$(BOARD)/board.mk
 	$(BOARD_CC) $(BOARD_CPU) -c $< -o $@

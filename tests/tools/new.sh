@@ -80,11 +80,11 @@ project() { # DIR ARGUMENTS...
     make --no-print-directory -C "$@" WERROR=-Werror >made.txt 2>&1
 }
 # What another project has compiled for a board is taken for this one's, where both have the same sources. Make compiles
-# what is not among it, or all of it where DEFINES are others.
+# what is not among it, or all that sees DEFINES where these are others.
 shares() { # DIR FROM BOARD
     diff -rq --exclude=emulator "$2/zstrip" "$1/zstrip" >words || { wrong "$(head -1 words)"; return; }
     mkdir -p "$1/build/fw/$3"
-    (cd "$2/build/fw/$3" && cp -a firmware hal defines "$work/$1/build/fw/$3/")
+    (cd "$2/build/fw/$3" && cp -a firmware hal defines* "$work/$1/build/fw/$3/")
     find "$1/build/fw/$3" -name '*.o' -exec touch {} + # its sources are newer
 }
 for board in pico stm32f405 lm3s6965 host linux; do
