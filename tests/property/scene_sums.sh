@@ -68,8 +68,9 @@ mesh_tex_smooth mesh_tex_lit
 crowd_btf crowd_ftb'
 groups() {
     echo "$TOGETHER"
+    together=$(echo $TOGETHER)
     for scene in $SCENES; do
-        echo "$TOGETHER" | tr ' ' '\n' | grep -qx "$scene" || echo "$scene"
+        case " $together " in *" $scene "*) ;; *) echo "$scene" ;; esac
     done
 }
 
