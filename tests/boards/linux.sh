@@ -92,7 +92,7 @@ boot() {
     # Line 3 is pulsed, as long as there is a reader.
     while sleep 0.4 && echo system_powerdown; do :; done 2>/dev/null |
         timeout 200 qemu-system-arm -M virt -cpu cortex-a15 -smp 1 -m 128 -net none -display none -monitor stdio \
-            -serial file:"$at/boot_$1.raw" -kernel "$at/vmlinuz" -dtb "$out/panel.dtb" -initrd "$at/initrd" \
+            -serial file:"$at/boot_$1.raw" -kernel "$at/kernel" -dtb "$out/panel.dtb" -initrd "$at/initrd" \
             -append "console=ttyAMA0 quiet loglevel=1 panic=-1 $3" -no-reboot \
             -trace pl061_set_output -trace pl061_input_change 2>&1 >"$at/monitor.txt" |
         "$out/wire" "$at" $names 2>"$at/boot_$1.err"

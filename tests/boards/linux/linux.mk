@@ -15,7 +15,7 @@ INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/linux $(patsub
 SOURCES := $(shell $(MAKE) -s --no-print-directory -f Makefile B=$(B) linux-sources)
 OBJECTS = $(patsubst %.c,$(D)/obj/%.o,$(SOURCES)) $(D)/obj/gen/meshes.o
 
-bookworm trixie: %: $(D)/%/zstrip-linux $(D)/init $(D)/wire
+bookworm trixie: %: $(D)/%/zstrip-linux $(D)/%/kernel $(D)/init $(D)/wire
 .PHONY: bookworm trixie
 .DELETE_ON_ERROR:
 
@@ -30,6 +30,8 @@ $(D)/trixie/zstrip-linux: hal/linux/gpio_v2.c
 $(D)/%/zstrip-linux: $(D)/%/versions $(OBJECTS)
 	@$(ARMHF)gcc -std=gnu11 $(CFLAGS) $(INC) -I$(D)/$*/include -pthread $(STATIC) $(filter %.c %.o,$^) \
 	    $(D)/$*/lib/libgpiod.a -lm -o $@
+$(D)/%/kernel: $(D)/%/versions tests/boards/linux/unpacked.sh
+	@sh tests/boards/linux/unpacked.sh $(D)/$*/vmlinuz $@
 $(D)/init: tests/boards/linux/init.c
 	@mkdir -p $(@D)
 	@$(ARMHF)gcc -std=gnu11 $(CFLAGS) $(STATIC) $< -o $@
