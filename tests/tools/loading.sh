@@ -228,26 +228,31 @@ untouched
 # ---- Mutations ----------------------------------------------------------------------------------
 zsim=$sanitized
 mutations() { # FILE COUNT: each is drawn, or refused with a sentence
-    end=${1##*.}
-    for seed in $(seq "$2"); do
-        ./mutate "$1" "$seed" >"mutant.$end"
-        last=" mutate $1 $seed >mutant.$end; zsim render mutant.$end"
-        timeout 60 "$zsim" render "mutant.$end" --out out/x.png >stdout 2>stderr </dev/null
-        status=$?
-        # what is not carried over of a picture that is drawn is named, and nothing else
-        lines=0 ours=0
-        while IFS= read -r line || [ -n "$line" ]; do
-            after=${line#zsim: mutant}
-            case $status$line--${after#*:} in
-            1*) ;;
-            *'zsim: mutant'*'-- not carried over: '* | *'zsim: mutant'*'-- material file '*) continue ;;
-            esac
-            case $line in 'zsim: '*) ours=$((ours + 1)) ;; esac
-            lines=$((lines + 1))
-        done <stderr
-        [ $status -le 1 ] && [ $lines -eq $status ] && [ $ours -eq $status ] ||
-            wrong "mutation $seed of $1: status $status: $(said)"
-    done
+    copy=mutant.${1##*.} ended=0
+    ./mutate "$1" 1 "$2" "$copy" "$zsim" render "$copy" --out out/x.png >mutants || wrong "mutate $1"
+    : >stderr
+    # what is not carried over of a picture that is drawn is named, and nothing else
+    lines=0 ours=0 named=0
+    while IFS= read -r line; do
+        after=${line#zsim: mutant}
+        case $line--${after#*:} in
+        'end '*)
+            seed=${line#end } status=${line##* }
+            seed=${seed% *} ended=$((ended + 1))
+            last=" mutate $1 $seed >$copy; zsim render $copy"
+            [ "$status" = 0 ] || lines=$((lines + named)) ours=$((ours + named))
+            [ "$status" -le 1 ] && [ $lines -eq "$status" ] && [ $ours -eq "$status" ] ||
+                wrong "mutation $seed of $1: status $status: $(said)"
+            lines=0 ours=0 named=0
+            : >stderr
+            continue ;;
+        'zsim: mutant'*'-- not carried over: '* | 'zsim: mutant'*'-- material file '*) named=$((named + 1)) ;;
+        'zsim: '*) lines=$((lines + 1)) ours=$((ours + 1)) ;;
+        *) lines=$((lines + 1)) ;;
+        esac
+        printf '%s\n' "$line" >>stderr
+    done <mutants
+    is "mutations of $1" "$ended" "$2"
 }
 {
     printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n'
