@@ -44,7 +44,8 @@ convert() { # TO INPUT OPTION...
 }
 place_of() { # TO
     to=$1
-    place=$(awk '/a unit of the model is [^ ]* of them/ { unit = $0; sub(/.*model is /, "", unit); sub(/ .*/, "", unit) }
+    place=$(awk '
+        /a unit of the model is [^ ]* of them/ { unit = $0; sub(/.*model is /, "", unit); sub(/ .*/, "", unit) }
         sub(/^ \* Positions *in the model.s units: /, "") {
             print $1, $2, $3, $5, unit; exit }' "$to/m.h")
 }

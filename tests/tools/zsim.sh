@@ -13,7 +13,8 @@ mkdir -p "$work"
 work=$(cd "$work" && pwd) || exit 1
 # Started hundreds of times, in half the time without shared libraries
 gcc -O2 -Wall -Wextra -Werror -c tests/tools/look.c -o "$work/look.o" || exit 1
-gcc -static "$work/look.o" -lpng -lz -lm -o "$work/look" 2>/dev/null || gcc "$work/look.o" -lpng -o "$work/look" || exit 1
+gcc -static "$work/look.o" -lpng -lz -lm -o "$work/look" 2>/dev/null ||
+    gcc "$work/look.o" -lpng -o "$work/look" || exit 1
 rm "$work/look.o"
 LSAN_OPTIONS=suppressions=$top/tests/lib/lsan.txt:print_suppressions=0
 ASAN_OPTIONS=detect_leaks=1:handle_sigill=2:exitcode=99:quarantine_size_mb=16

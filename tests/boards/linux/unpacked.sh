@@ -13,7 +13,8 @@ at=$(be32 $((0x40208000)))
 for offset in $(LC_ALL=C grep -obUaP '\xfd7zXZ\x00' "$1" | cut -d : -f 1); do
     tail -c +$((offset + 1)) "$1" | xz -dc --single-stream >"$2.image" 2>"$2.txt" || continue
     # magic, two checksums and a time that nobody reads, and then: Linux, ARM, kernel, not packed; no name
-    printf "\\047\\005\\031\\126$(be32 0)$(be32 0)$(be32 "$(wc -c <"$2.image")")$at$at$(be32 0)\\005\\002\\002\\000" >"$2"
+    size=$(be32 "$(wc -c <"$2.image")") zero=$(be32 0)
+    printf "\\047\\005\\031\\126$zero$zero$size$at$at$zero\\005\\002\\002\\000" >"$2"
     head -c 32 /dev/zero | cat - "$2.image" >>"$2"
     rm "$2.image" "$2.txt"
     exit

@@ -1,8 +1,8 @@
 /* A program on a board: a converted model, NAME m, in front of a camera. Is its frame the one of zsim render?
  *
- *     same views PLACE     the cameras of all views as options of zsim render, a line each
- *     same draw            of each view the checksum of its frame: FNV-1a of the RGB565 values, high byte first; and how
- *                          many triangles were found one by one to turn away, which clusters leave few of
+ *     same views PLACE      the cameras of all views as options of zsim render, a line each
+ *     same draw             of each view the checksum of its frame: FNV-1a of the RGB565 values, high byte first; and
+ *                           how many triangles were found one by one to turn away, which clusters leave few of
  *
  * PLACE: five numbers, as of probe.c.
  *
