@@ -83,8 +83,8 @@ static const struct sim_option table[] = {
     { "--shade", SIM_OPTION_CHOICE, AT(shade), .words = "id|flat|smooth|textured|textured-flat|unlit",
       .help = "id: a colour for each triangle's number, flat: light of its face, smooth: of its vertices, textured: "
               "texels times smooth light, textured-flat: times a face's, unlit: texels alone; of these, faces without "
-              "a texture are smooth, flat, raw (as zsim convert: textured if the model has a texture, else smooth if "
-              "the file has normals, else flat)" },
+              "a texture are smooth, flat, raw (as zsim convert: smooth if the file has normals, else flat; if the "
+              "model has a texture, textured or textured-flat)" },
     { "--mesh", SIM_OPTION_CHOICE, AT(mesh), .words = "convert|file",
       .help = "convert: the mesh that zsim convert writes, which firmware draws; file: faces as the file has them, in "
               "its order, on a grid of 24 bits, to measure the renderer by itself (convert)" },

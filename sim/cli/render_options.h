@@ -20,7 +20,7 @@ enum sim_shade {
     SIM_SHADE_TEXTURED,      /* texels times smooth light; faces without a texture: smooth */
     SIM_SHADE_TEXTURED_FLAT, /* texels times flat light; others: flat */
     SIM_SHADE_UNLIT,         /* texels; others: their colour */
-    SIM_SHADE_DEFAULT        /* textured, smooth or flat, by what the file holds: sim_scene_load chooses */
+    SIM_SHADE_DEFAULT        /* by what the file holds: sim_scene_load chooses */
 };
 enum sim_depth {
     SIM_DEPTH_RECIP,

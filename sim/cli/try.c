@@ -75,7 +75,10 @@ static int is_stl(const char *file)
 
 static const char *shade_name(enum sim_shade shade)
 {
-    return shade == SIM_SHADE_TEXTURED ? "textured" : shade == SIM_SHADE_SMOOTH ? "smooth" : "flat";
+    return shade == SIM_SHADE_TEXTURED        ? "textured"
+           : shade == SIM_SHADE_TEXTURED_FLAT ? "textured-flat"
+           : shade == SIM_SHADE_SMOOTH        ? "smooth"
+                                              : "flat";
 }
 
 /* What is seen from PROBES sides by one choice of culling, before black. */

@@ -39,9 +39,10 @@ static const struct sim_option table[] = {
     { "--shade", SIM_OPTION_CHOICE, AT(look), .use = FOR_MODELS | SHOWN,
       .words = "flat|smooth|textured|textured-flat|unlit|raw",
       .help =
-          "the shader, and with it what is written: normals, texture coordinates, colours (textured if the model has "
-          "a texture, else smooth if the file has normals, else flat). textured is smooth too; parts without texture "
-          "are smooth, flat or raw. unlit: texels as they are; raw: colours as they are" },
+          "the shader, and with it what is written: normals, texture coordinates, colours (smooth if the file has "
+          "normals, else flat; if the model has a texture, textured, or textured-flat without normals and highlights). "
+          "textured is smooth too; parts without texture are smooth, flat or raw. unlit: texels as they are; raw: "
+          "colours as they are" },
     { "--unit", SIM_OPTION_NUMBER, AT(unit), AT(has_unit), UNIT_MIN, UNIT_MAX, .use = FOR_MODELS | SHOWN,
       .help =
           "world units to a unit of the model (a power of ten, so that it spans 1000 or more; the camera stands on "

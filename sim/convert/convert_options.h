@@ -42,6 +42,7 @@ struct sim_convert_options {
     int no_alpha;             /* flag: no material is transparent, and alpha of texels does nothing */
     int opaque;               /* flag: no material is transparent or has highlights, and alpha of texels does nothing */
     int by_material;          /* flag: unlit materials get a shader of their own */
+    int lit;                  /* flag: texels are lit by more than a brightness, which is done at vertices alone */
     int has_color, has_unit;  /* flags */
     const char *simplify;     /* NULL: all triangles */
     struct sim_limits limits; /* of loading the model */

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model_shape.h"
 #include "sim.h"
 
 /* Structs on a 32-bit machine, bytes. */
@@ -52,6 +53,28 @@ static int is_textured(const struct sim_convert_options *o)
            o->look == SIM_LOOK_UNLIT;
 }
 
+/* Are texels lit by more than a brightness? Only smooth light does that. */
+static int lights_texels(const struct sim_model *model, const struct sim_convert_options *o)
+{
+    int lit = o->lit;
+    for (uint32_t i = 0; !o->opaque && i < model->n_materials; i++)
+        lit |= model->material[i].texture != SIM_NO_TEXTURE && model->material[i].alpha_mode == SIM_ALPHA_OPAQUE &&
+               sim_material_lights(&model->material[i], 1);
+    return lit;
+}
+
+/* Smooth where the file has normals; else each face is flat, if need be by normals of its own at its corners. */
+static enum sim_look look_of(struct sim_model *model, const struct sim_convert_options *o)
+{
+    if (model->n_textures == 0)
+        return model->file_normals ? SIM_LOOK_SMOOTH : SIM_LOOK_FLAT;
+    if (!model->file_normals && !lights_texels(model, o))
+        return SIM_LOOK_TEXTURED_FLAT;
+    if (!model->file_normals)
+        sim_model_flatten(model);
+    return SIM_LOOK_TEXTURED;
+}
+
 /* Without a word from the user, a colour for all makes textures unwanted. */
 int sim_convert_load(struct sim_model *model, struct sim_convert_options *o)
 {
@@ -70,9 +93,7 @@ int sim_convert_load(struct sim_model *model, struct sim_convert_options *o)
         status = refuse_untextured(model, o->input);
     o->by_material = free_choice;
     if (status == SIM_OK && free_choice)
-        o->look = model->n_textures > 0 ? SIM_LOOK_TEXTURED
-                  : model->file_normals ? SIM_LOOK_SMOOTH
-                                        : SIM_LOOK_FLAT;
+        o->look = look_of(model, o);
     if (status != SIM_OK)
         sim_model_free(model);
     return status;

@@ -204,8 +204,8 @@ static void lose_of(const struct work *w, const struct sim_material *m, const st
         sim_lose(lost, SIM_LOST_OPACITY, m->name);
     if (m->power > 0 && !paint->lit)
         sim_lose(lost,
-                 paint->shader == SIM_SHADER_TEXTURE_SMOOTH && paint->alpha_mode == SIM_ALPHA_OPAQUE &&
-                         !w->options->opaque
+                 (paint->shader == SIM_SHADER_TEXTURE_SMOOTH || paint->shader == SIM_SHADER_TEXTURE_FLAT) &&
+                         !sim_material_lights(m, 1) && paint->alpha_mode == SIM_ALPHA_OPAQUE && !w->options->opaque
                      ? SIM_LOST_FAINT_SPECULAR
                      : SIM_LOST_SPECULAR,
                  m->name);

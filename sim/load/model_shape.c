@@ -118,6 +118,17 @@ void sim_model_fill_normals(struct sim_model *model)
     free(sum);
 }
 
+void sim_model_flatten(struct sim_model *model)
+{
+    for (uint32_t t = 0; t < model->n_tris; t++) {
+        double n[3];
+        sim_model_face_normal(model, t, n);
+        for (int k = 0; k < 3 && sim_dot(n, n) > 0.5; k++)
+            for (int i = 0; i < 3; i++)
+                model->normal[t][k][i] = (float)n[i];
+    }
+}
+
 int sim_model_fill_bounds(struct sim_model *model)
 {
     double extent = 0.0, squared = 0.0, reach = 0.0;

@@ -23,6 +23,9 @@ uint32_t sim_weld_point(struct sim_weld *w, struct sim_model *model, const doubl
 /* Corners whose normal is 0 0 0 get the mean of the faces around their point, weighted by angle. */
 void sim_model_fill_normals(struct sim_model *model);
 
+/* Corners get the normal of their face, where it has area. */
+void sim_model_flatten(struct sim_model *model);
+
 /* Box and sphere. SIM_OK; SIM_REFUSED where there is no extent, said why about model->file. */
 int sim_model_fill_bounds(struct sim_model *model);
 

@@ -468,6 +468,41 @@ for shade in textured textured-flat; do
     quarters over_ref $four
 done
 
+begin edges_are_round_where_the_file_has_normals
+roof() { # MORE-OF-CORNERS [LINE]    two slopes that meet at a ridge
+    obj roof 'mtllib four.mtl' 'v -50 -50 0' 'v 0 -50 50' 'v 0 50 50' 'v -50 50 0' 'v 50 -50 0' 'v 50 50 0' \
+        'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' ${2:+"$2"} 'usemtl A' "f 1/1$1 2/2$1 3/3$1 4/4$1" "f 2/1$1 5/2$1 6/3$1 3/4$1"
+}
+as_is() { # SHADE OPTION...    that is what is drawn without --shade
+    shade=$1
+    shift
+    draw usual roof.obj $plain "$@"
+    draw asked roof.obj $plain "$@" --shade "$shade"
+    same usual asked
+}
+roof ''
+as_is textured-flat --light 1,0,2
+draw round roof.obj $plain --light 1,0,2 --shade textured
+other usual round png
+z render roof.obj --out out/lamp.png $plain --light dir:1,0,2 # by normals at vertices
+cmp -s out/lamp.png out/usual.png || wrong "a lamp in place of the light changes the frame"
+z render roof.obj --out out/lamp.png $plain --light dir:1,0,2:ff0000
+color lamp 80 80 7b0000 # 1/4 and 3/4 / sqrt(10)
+color lamp 160 80 004100
+sed 's/usemtl A/usemtl G/; s/four.mtl/gloss.mtl/' roof.obj >gloss.obj
+printf 'newmtl G\nmap_Kd four.png\nKs 1 1 1\nNs 20\n' >gloss.mtl
+z convert gloss.obj --name m --out out/roof
+grep -q 'zs_shade_texture_gloss,' out/roof/m.c || wrong "without normals highlights are not written"
+z render gloss.obj --out out/gloss.png $plain --light 0,0,1
+is "losses" "$(cat stderr)" ''
+roof /1 'vn 0 0 1'
+as_is textured --light 1,0,2
+z convert roof.obj --name m --out out/roof
+grep -q 'zs_shade_texture_smooth,' out/roof/m.c || wrong "with normals no smooth light is written"
+roof ''
+z convert roof.obj --name m --out out/roof
+grep -q 'zs_shade_texture_flat,' out/roof/m.c || wrong "without normals no flat light is written"
+
 begin smooth_light_between_vertices
 obj normals 'v -50 -50 0' 'v 50 -50 0' 'v 50 50 0' 'v -50 50 0' 'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' \
     'vn 0 0 1' 'vn 1 0 0' 'f 1/1/1 2/2/2 3/3/2 4/4/1'

@@ -165,7 +165,7 @@ moving a/turntable.png 0 box
 is "behind what is dark" "$(word 5 $seen)" dee3e7
 printf 'newmtl dark\nKd 1 1 1\nmap_Kd b/sheet.png\n' >dark.mtl
 trial a dark.obj
-grep -q 'shading  *textured' stdout || wrong "with a texture: $(grep shading stdout)"
+grep -q 'shading  *textured,' stdout || wrong "with a texture: $(grep shading stdout)"
 printf 'newmtl other\n' >dark.mtl
 mv dark.mtl other.mtl
 trial a dark.obj
