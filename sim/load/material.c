@@ -106,10 +106,10 @@ static void look_up(struct sim_use *out, const struct aiMaterial *material)
     (void)aiGetMaterialInteger(material, AI_MATKEY_MAPPINGMODE_U(slot, 0), &out->mode[0]);
     (void)aiGetMaterialInteger(material, AI_MATKEY_MAPPINGMODE_V(slot, 0), &out->mode[1]);
     look_up_transform(out, material, slot);
-    if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &c) == aiReturn_SUCCESS) {
-        out->factor[0] = (double)c.r;
-        out->factor[1] = (double)c.g;
-        out->factor[2] = (double)c.b;
+    if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &c) == aiReturn_SUCCESS) { /* of glTF */
+        out->factor[0] = sim_srgb((double)c.r);
+        out->factor[1] = sim_srgb((double)c.g);
+        out->factor[2] = sim_srgb((double)c.b);
     }
 }
 
@@ -118,6 +118,11 @@ static void look_up(struct sim_use *out, const struct aiMaterial *material)
 static uint8_t to_byte(double v)
 {
     return v >= 1.0 ? 255 : v > 0.0 ? (uint8_t)(v * 255.0 + 0.5) : 0; /* NaN: 0 */
+}
+
+double sim_srgb(double light)
+{
+    return light > 0.0031308 ? 1.055 * pow(light, 1.0 / 2.4) - 0.055 : 12.92 * light;
 }
 
 static double number_of(const struct aiMaterial *m, const char *key, unsigned type, unsigned n, double otherwise)
@@ -196,8 +201,12 @@ static void look_of(struct sim_material *to, const struct aiMaterial *m)
     const int mode = gltf_mode(m);
     to->two_sided = aiGetMaterialInteger(m, AI_MATKEY_TWOSIDED, &flag) == aiReturn_SUCCESS && flag != 0;
     if (!has_map(m, aiTextureType_EMISSIVE) && /* it would be times that, which is not carried over */
-        aiGetMaterialColor(m, AI_MATKEY_COLOR_EMISSIVE, &c) == aiReturn_SUCCESS)
-        to->emission = (struct zs_rgb){ to_byte((double)c.r), to_byte((double)c.g), to_byte((double)c.b) };
+        aiGetMaterialColor(m, AI_MATKEY_COLOR_EMISSIVE, &c) == aiReturn_SUCCESS) {
+        double rgb[3] = { (double)c.r, (double)c.g, (double)c.b };
+        for (int k = 0; k < 3 && mode >= 0; k++)
+            rgb[k] = sim_srgb(rgb[k]);
+        to->emission = (struct zs_rgb){ to_byte(rgb[0]), to_byte(rgb[1]), to_byte(rgb[2]) };
+    }
     to->unlit = aiGetMaterialInteger(m, AI_MATKEY_SHADING_MODEL, &flag) == aiReturn_SUCCESS &&
                 flag == (int)aiShadingMode_Unlit;
     if (mode >= 0) {

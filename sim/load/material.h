@@ -24,6 +24,10 @@ struct sim_use {
     double rough, metal;  /* glTF: by which its highlights take the texture's colour; rough < 0: they do not */
 };
 
+/* A share of light as a share of 255, by sRGB's curve: glTF's factors and vertex colours are light, what is drawn and
+ * texels are not. */
+double sim_srgb(double light);
+
 /* "%20" to a space, in place. */
 void sim_decode_percents(char *text);
 

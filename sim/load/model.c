@@ -396,6 +396,14 @@ static struct zs_rgb to_rgb(const struct aiColor4D *c)
     return (struct zs_rgb){ to_byte(c->r), to_byte(c->g), to_byte(c->b) };
 }
 
+/* A colour of the scene: glTF's are light. */
+static struct zs_rgb shown_rgb(const struct load *l, const struct aiColor4D *c)
+{
+    const struct aiColor4D shown = { (float)sim_srgb((double)c->r), (float)sim_srgb((double)c->g),
+                                     (float)sim_srgb((double)c->b), c->a };
+    return to_rgb(l->gltf ? &shown : c);
+}
+
 static struct zs_rgb material_rgb(const struct load *l, const struct aiMaterial *material)
 {
     const struct zs_rgb plain = { 204, 204, 204 };
@@ -417,7 +425,7 @@ static struct zs_rgb material_rgb(const struct load *l, const struct aiMaterial 
     }
     if (aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &c) != aiReturn_SUCCESS)
         return plain;
-    return to_rgb(&c);
+    return shown_rgb(l, &c);
 }
 
 /* Do materials come from the file, and not from assimp or an OBJ's own scan? */
@@ -600,7 +608,7 @@ static void add_triangle(struct sim_model *model, const struct placement *at, in
 
 static struct zs_rgb corner_rgb(const struct load *l, const struct aiMesh *mesh, unsigned v, const struct placement *at)
 {
-    if (mesh->mColors[0] == NULL || l->want->color != NULL || is_black(to_rgb(&at->base)))
+    if (mesh->mColors[0] == NULL || l->want->color != NULL || is_black(shown_rgb(l, &at->base)))
         return at->rgb;
     struct aiColor4D c = mesh->mColors[0][v];
     const int none = l->family == FAMILY_OBJ ? c.r < 0.0f                          /* by the scan */
@@ -610,7 +618,7 @@ static struct zs_rgb corner_rgb(const struct load *l, const struct aiMesh *mesh,
     c.r *= at->base.r;
     c.g *= at->base.g;
     c.b *= at->base.b;
-    return to_rgb(&c);
+    return shown_rgb(l, &c);
 }
 
 /* One corner of a face; *ok is cleared where assimp's is not the scan's, *has_uv where it has no

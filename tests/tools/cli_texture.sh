@@ -216,7 +216,7 @@ same four kd
 begin gltf_factor_and_transform
 gltf '"uri":"four.png"' "$bin" '1,0.5,0,1' >factor.gltf
 both factor factor.gltf $plain --shade unlit
-quarters factor ff0000 008200 000000 ff8200
+quarters factor ff0000 00ba00 000000 ffba00 # 188 of 255, as the factor is light
 cmp -s out/factor.png out/factor_ref.png || wrong "ours and the reference differ"
 # v' = 0.5 v + 0.125 down the picture; as an OBJ, v = 1 - v'
 uv_obj moved 0.25 0.375 2.25 0.875
@@ -329,7 +329,7 @@ halves whole.off ff0000 008242
 off '1 0 0 1' '0 0.5 0.25 1' >whole.off
 halves whole.off ff0000 008242
 
-# ---- glTF's colours of vertices: times the material's
+# ---- glTF's colours of vertices: times the material's. All that are no texels are light
 begin gltf_colours_of_vertices
 colored() { # FACTOR EMISSION COMPONENTS    a quad whose vertices are ff8040
     printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{'
@@ -344,11 +344,15 @@ colored() { # FACTOR EMISSION COMPONENTS    a quad whose vertices are ff8040
 }
 { quad_bin && printf '\377\200\100\377\377\200\100\377\377\200\100\377\377\200\100\377'; } >colored.bin
 colored 1,1,1 0,0,0 4 >colored.gltf
-halves colored.gltf ff8242 ff8242
+halves colored.gltf ffba8c ffba8c # they are light: 188 and 137 of 255, by sRGB's curve
 colored 0.5,1,0.25 0,0,0 4 >colored.gltf
-halves colored.gltf 848210 848210
+halves colored.gltf bdba4a bdba4a # 188, 188 and 71
+sed 's/,"COLOR_0":2//' colored.gltf >plain.gltf
+halves plain.gltf bdff8c bdff8c # 188, 255 and 137
 colored 0,0,0 0,0,1 4 >colored.gltf # it shines, and that is all
 halves colored.gltf 0000ff 0000ff
+colored 0,0,0 0,0.002,0.2 4 >colored.gltf
+halves colored.gltf 00087b 00087b # 7 and 124
 
 # ---- glTF's integers ----------------------------------------------------------------------------------------
 begin gltf_integer_positions_and_texture_coordinates

@@ -448,15 +448,15 @@ said_of() { # FILE LINE...    all that is said
 }
 begin materials_that_are_written
 convert look looks/looks.gltf
-white='.rgb = { 255, 255, 255 }'
+white='.rgb = { 255, 255, 255 }' # other factors by sRGB's curve: 0.2 is 124, 0.6 203, 0.8 231
 line() { # SHADER COLOUR REST
     holds look/m.c "{ .shader = &zs_$1, $2, .cull = ZS_CULL_$3"
 }
 line shade_cutout_smooth "$white" 'BACK, .texture = &m_texture[0] }, /* "leaf" */'
 line blend_texture_smooth "$white" 'NONE, .texture = &m_texture[1] }, .alpha = 255 }, /* "fade" */'
-line blend_smooth '.rgb = { 51, 153, 255 }' 'BACK }, .alpha = 102 }, /* "glass" */'
-line shade_smooth '.rgb = { 255, 153, 51 }' 'NONE }, /* "both sides" */'
-line shade_raw '.rgb = { 255, 204, 51 }' 'BACK }, /* "lamp" */'
+line blend_smooth '.rgb = { 124, 203, 255 }' 'BACK }, .alpha = 102 }, /* "glass" */'
+line shade_smooth '.rgb = { 255, 203, 124 }' 'NONE }, /* "both sides" */'
+line shade_raw '.rgb = { 255, 231, 124 }' 'BACK }, /* "lamp" */'
 line shade_texture "$white" 'BACK, .texture = &m_texture[2] }, /* "unlit" */'
 line shade_texture_smooth "$white" 'BACK, .texture = &m_texture[3] }, /* "solid" */'
 holds look/m.c '.alpha_least = 128'
@@ -472,20 +472,20 @@ for format in 565:4444 pal8:pal8a pal4:pal4a; do
 done
 begin highlights_and_emission_that_are_written
 convert look looks/lossy.gltf
-holds look/m.c '{ .material = { .shader = &zs_shade_lit, .rgb = { 179, 26, 26 }, .cull = ZS_CULL_BACK },'
+holds look/m.c '{ .material = { .shader = &zs_shade_lit, .rgb = { 218, 89, 89 }, .cull = ZS_CULL_BACK },'
 # power 2 / 0.4^4 - 2, rounded down; 0.04 * (power + 8) / 8 of 255
-holds look/m.c '.shine = &m_shine_76, .specular = { 107, 107, 107 }, .emission = { 0, 0, 51 } }, /* "gloss" */'
+holds look/m.c '.shine = &m_shine_76, .specular = { 107, 107, 107 }, .emission = { 0, 0, 124 } }, /* "gloss" */'
 holds look/m.h 'extern struct zs_lamp m_lamp[1];'
 lacks look/m.h M_METHOD
 convert look looks/metal.gltf
-holds look/m.c '.specular = { 255, 128, 0 }, .emission = { 0, 0, 0 }, .flags = ZS_LIT_TWO_SIDED }, /* "gold" */'
-line shade_smooth '.rgb = { 255, 128, 0 }' 'BACK }, /* "rough" */'
+holds look/m.c '.specular = { 255, 188, 0 }, .emission = { 0, 0, 0 }, .flags = ZS_LIT_TWO_SIDED }, /* "gold" */'
+line shade_smooth '.rgb = { 255, 188, 0 }' 'BACK }, /* "rough" */'
 begin highlights_on_textures_that_are_written
 holds look/m.c '.specular = { 255, 164, 0 }, .emission = { 0, 0, 0 } }, /* "cloth" */' # by red.png's mean
 convert look looks/lossy.gltf
 line_of_gloss='{ .material = { .shader = &zs_shade_texture_gloss, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK'
 holds look/m.c "$line_of_gloss, .texture = &m_texture[0] },"
-holds look/m.c '.shine = &m_shine_128, .specular = { 173, 173, 173 }, .emission = { 51, 0, 0 } }, /* "wet" */'
+holds look/m.c '.shine = &m_shine_128, .specular = { 173, 173, 173 }, .emission = { 124, 0, 0 } }, /* "wet" */'
 line shade_texture_smooth "$white" 'BACK, .texture = &m_texture[0] }, /* "damp" */'
 holds look/m.h '#define M_VARYINGS ZS_VARYINGS_TEXTURE_GLOSS '
 gcc -fsyntax-only -Iheaders look/m.c 2>cc.log && wrong 'three varyings are taken'

@@ -229,6 +229,12 @@ function gltf(materials, attributes = {}) {
 const texture = {index: 0};
 for (const [ name, material, attributes ] of [
          [ 'emission_of_a_texture', {emissiveFactor: [ 1, 1, 1 ], emissiveTexture: texture} ],
+         [ 'emission_and_a_dark_colour', {emissiveFactor: [ .2, .01, .001 ],
+                                             pbrMetallicRoughness: {baseColorFactor: [ .001, .2, .004, 1 ]}} ],
+         [ 'a_colour_that_is_black_when_it_is_light', {pbrMetallicRoughness: {baseColorFactor: [ .0005, 0, .0001, 1 ]}},
+             {COLOR_0: 3} ],
+         [ 'unlit_factor_of_a_texture', {extensions: {KHR_materials_unlit: {}},
+             pbrMetallicRoughness: {baseColorTexture: {index: 0}, baseColorFactor: [ .2, .5, .9, 1 ]}} ],
          [ 'roughness', {pbrMetallicRoughness: {baseColorFactor: [ .8, .5, .2, 1 ], roughnessFactor: 0.4,
                             metallicFactor: 0.5}} ],
          [ 'a_texture_transform', {pbrMetallicRoughness: {baseColorTexture: {...texture, extensions:

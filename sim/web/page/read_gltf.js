@@ -209,10 +209,10 @@ class Gltf {
     /* Of a primitive's vertices: times its material's colour, in single precision as zsim has it. */
     colorsOf(p) {
         const { color } = this.looksOf(this.materialOf(p));
-        const black = color.slice(0, 3).every((c) => Math.round(255 * c) <= 0);
+        const black = shownColor(color).every((c) => toByte(c) === 0);
         if (p.attributes.COLOR_0 === undefined || black) return null;
         return this.rows(p.attributes.COLOR_0).map((row) => row.map((c, k) =>
-            (k < 3 ? Math.fround(Math.fround(c) * Math.fround(color[k])) : c)));
+            (k < 3 ? shown(Math.fround(Math.fround(c) * Math.fround(color[k]))) : c)));
     }
 
     /* Of a primitive: those that its texture names, as KHR_texture_transform moves them. */
@@ -261,18 +261,18 @@ class Gltf {
             const { pbr, base, color, map } = this.looksOf(m);
             const made = {
                 name: m.name || `material ${i + 1}`,
-                color: color.slice(0, 3),
+                color: shownColor(color),
                 opacity: m.alphaMode === 'BLEND' ? base[3] : 1,
                 alpha: (m.alphaMode || 'OPAQUE').toLowerCase(),
                 alphaLeast: (m.alphaCutoff ?? 0.5) / (base[3] || 1), // texels are times its alpha
                 twoSided: !!m.doubleSided,
                 saysAlpha: true,
-                textureFactor: base.slice(0, 3),
+                textureFactor: shownColor(base),
             };
             if (map) Object.assign(made, this.texture(map.index));
             if (m.emissiveFactor && !m.emissiveTexture && m.emissiveFactor.some((c) => c > 0))
-                made.emission = m.emissiveFactor;
-            Object.assign(made, shineOf(pbr, color.map(toByte)));
+                made.emission = shownColor(m.emissiveFactor);
+            Object.assign(made, shineOf(pbr, made.color.map(toByte)));
             if (pbr.metallicFactor !== 0) made.shineOf = (mean) => shineOf(pbr, mean);
             if (m.extensions?.KHR_materials_unlit) made.unlit = true;
             return made;
@@ -303,6 +303,10 @@ class Gltf {
         });
     }
 }
+
+/* A share of light, or of each colour, as a share of 255, by sRGB's curve: sim_srgb of sim/load/material.c. */
+const shown = (light) => Math.fround(light > 0.0031308 ? 1.055 * light ** (1 / 2.4) - 0.055 : 12.92 * light);
+const shownColor = (color) => color.slice(0, 3).map((c) => shown(Math.fround(c)));
 
 /* A colour as a byte has it. */
 const toByte = (c) => Math.round(255 * Math.min(Math.max(Math.fround(c), 0), 1)) / 255;
