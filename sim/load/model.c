@@ -60,6 +60,7 @@ struct load {
     char *text; /* the whole file, '\0' behind it; of an OBJ only until it is scanned */
     size_t bytes;
     struct sim_obj obj;
+    struct sim_ply ply;
     struct sim_mtl mtl;          /* OBJ: its material files */
     struct sim_use *use;         /* [n_materials], how each uses its texture; NULL: not wanted */
     int gltf;                    /* flag: it is one */
@@ -69,7 +70,7 @@ struct load {
     int wide_materials;          /* flag: an OBJ's material file has been refused */
     char complaint[200];         /* of assimp's about indices; else empty */
     struct sim_weld weld;
-    size_t face, corner;         /* OBJ: next of the scan */
+    size_t face, corner;         /* OBJ, PLY with uv of corners: next of the scan */
     struct polygon polygon;
 };
 
@@ -564,7 +565,7 @@ static void take_position(struct load *l, const struct aiVector3D *v, const doub
 }
 
 /* The texture coordinates of the corner whose position was taken last; 0 where it has none.
- * OBJ: the scan's. */
+ * OBJ, and PLY where faces have them: the scan's. */
 static int take_uv(struct load *l, const struct aiMesh *mesh, unsigned v,
                    const struct sim_use *use, double out[2])
 {
@@ -574,6 +575,11 @@ static int take_uv(struct load *l, const struct aiMesh *mesh, unsigned v,
         if (n == SIM_NONE)
             return 0;
         memcpy(in, l->obj.uv[n], sizeof in);
+    } else if (l->ply.uv != NULL) {
+        in[0] = (double)l->ply.uv[l->corner][0];
+        in[1] = (double)l->ply.uv[l->corner++][1];
+        if (isnan(in[0]) || isnan(in[1]))
+            return 0;
     } else {
         const struct aiVector3D *uv = use->channel < AI_MAX_NUMBER_OF_TEXTURECOORDS
                                           ? mesh->mTextureCoords[use->channel]
@@ -667,6 +673,8 @@ static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFa
     int has_uv = 1, status = SIM_OK;
     int ok = l->family != FAMILY_OBJ ||
              (l->face < l->obj.n_faces && l->obj.count[l->face++] == face->mNumIndices);
+    if (l->ply.uv != NULL && at->use != NULL)
+        ok = n <= l->ply.n_uvs - l->corner;
     make_room(p, n);
     for (unsigned k = 0; ok && k < n; k++) {
         status = take_corner(l, mesh, face->mIndices[k], at, &p->corner[k], &ok, &has_uv);
@@ -716,7 +724,7 @@ static int look_through(struct load *l)
     if (status == SIM_OK && l->family == FAMILY_OBJ)
         status = sim_obj_scan(&l->obj, l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_PLY)
-        status = sim_ply_check(l->model->lost, l->file, l->text, &l->bytes);
+        status = sim_ply_check(&l->ply, l->model->lost, l->file, l->text, &l->bytes);
     if (status == SIM_OK && l->family == FAMILY_STL)
         status = sim_stl_check(l->model->lost, l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OFF)
@@ -772,6 +780,9 @@ static int build(struct load *l)
     free(l->polygon.corner);
     free(l->polygon.point);
     free(l->polygon.tri);
+    if (status == SIM_OK && l->ply.uv != NULL && l->use != NULL && l->corner != l->ply.n_uvs)
+        status = sim_refuse(l->file, 0, "the loader gave %zu of %zu corners; please report this file", l->corner,
+                            l->ply.n_uvs);
     if (status == SIM_OK && l->family == FAMILY_OBJ && l->face != l->obj.n_faces)
         status = sim_refuse(l->file, 0, "the loader gave %zu of %zu faces; please report this file",
                             l->face, l->obj.n_faces);
@@ -808,6 +819,7 @@ int sim_model_read(struct sim_model *model, const char *file, const struct sim_w
         aiReleaseImport(l.scene);
     sim_outside_forget();
     sim_obj_free(&l.obj);
+    sim_ply_free(&l.ply);
     sim_mtl_free(&l.mtl);
     for (uint32_t i = 0; l.use != NULL && i < model->n_materials; i++)
         SIM_FREE(l.use[i].path, l.use[i].mask);

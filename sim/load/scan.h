@@ -62,10 +62,18 @@ void sim_mtl_free(struct sim_mtl *mtl);
 /* The material of a name, the last one where there are several; NULL: none. */
 const struct sim_mtl_entry *sim_mtl_find(const struct sim_mtl *mtl, const char *name);
 
+/* Texture coordinates that a PLY's faces give their corners (`texcoord`, as MeshLab writes it), of which assimp takes
+ * one pair a vertex. */
+struct sim_ply {
+    float (*uv)[2]; /* [n_uvs], corners in file order: v upwards, NaN where a face has none; NULL: no face has any */
+    size_t n_uvs, room;
+};
+
 /* Refuse a PLY or STL file that is cut off, or in which a face is wrong, or a .glb by its header; note colours that are
- * not read. Text as above; elements that assimp does not know are cut out of a PLY's. */
+ * not read. Text as above; sim_ply_free in any case; elements that assimp does not know are cut out of a PLY's. */
 int sim_gltf_check(const char *file, const char *text, size_t bytes);
-int sim_ply_check(struct sim_lost *lost, const char *file, char *text, size_t *bytes);
+int sim_ply_check(struct sim_ply *ply, struct sim_lost *lost, const char *file, char *text, size_t *bytes);
+void sim_ply_free(struct sim_ply *ply);
 int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
 
 /* Of an OFF file: note colours that are not read. */

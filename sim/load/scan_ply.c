@@ -13,7 +13,7 @@
 #define PROPERTIES_MAX 64
 
 enum format { FORMAT_NONE, FORMAT_ASCII, FORMAT_LITTLE, FORMAT_BIG };
-enum role { ROLE_OTHER, ROLE_POSITION, ROLE_INDICES };
+enum role { ROLE_OTHER, ROLE_POSITION, ROLE_INDICES, ROLE_UV };
 
 struct type {
     const char *name[2];
@@ -44,7 +44,10 @@ struct element {
 
 struct ply {
     const char *file;
+    struct sim_ply *out;
     struct sim_lost *lost;
+    double *value; /* [n_values] of the face in hand, of its list of uv */
+    size_t n_values, room, n_corners;
     const char *p, *end;
     unsigned long line;
     enum format format;
@@ -109,6 +112,8 @@ static int take_property(struct ply *s, char *word[], int n)
         p->role = ROLE_POSITION;
     if (strcmp(e->name, "face") == 0 && is_list && strncmp(name, "vertex_ind", 10) == 0)
         p->role = ROLE_INDICES;
+    if (strcmp(e->name, "face") == 0 && is_list && strcmp(name, "texcoord") == 0)
+        p->role = ROLE_UV;
     if (strcmp(e->name, "vertex") == 0 && strcmp(name, "diffuse_red") == 0)
         sim_lose(s->lost, SIM_LOST_COLORS, name);
     if (strcmp(e->name, "face") == 0 && (strcmp(name, "red") == 0 || strcmp(name, "diffuse_red") == 0))
@@ -271,6 +276,8 @@ static int take_list(struct ply *s, const struct property *p, const struct eleme
     if (p->role == ROLE_INDICES && n < 3.0)
         return sim_refuse(s->file, line, "face %llu has %g vertices; it needs at least 3", i + 1,
                           n);
+    if (p->role == ROLE_INDICES)
+        s->n_corners = (size_t)n;
     for (long k = 0; k < (long)n; k++) {
         status = take_value(s, p->type, e, i, &v);
         if (status != SIM_OK)
@@ -279,12 +286,29 @@ static int take_list(struct ply *s, const struct property *p, const struct eleme
             return sim_refuse(s->file, line,
                               "vertex index %g of face %llu is out of range: 0 to %llu exist", v,
                               i + 1, s->n_vertices - 1);
+        if (p->role == ROLE_UV && s->n_values == s->room)
+            s->value = sim_grow(s->value, s->room = 2 * s->room + 8, sizeof *s->value);
+        if (p->role == ROLE_UV)
+            s->value[s->n_values++] = v;
     }
     return SIM_OK;
 }
 
+/* Of the face in hand: two numbers for each corner, or none. */
+static void take_uvs(struct ply *s)
+{
+    struct sim_ply *out = s->out;
+    if (out->n_uvs + s->n_corners > out->room)
+        out->uv = sim_grow(out->uv, out->room = 2 * out->room + s->n_corners, sizeof *out->uv);
+    for (size_t i = 0; i < s->n_corners; i++, out->n_uvs++)
+        for (size_t k = 0; k < 2; k++)
+            out->uv[out->n_uvs][k] = s->n_values == 2 * s->n_corners ? (float)s->value[2 * i + k] : NAN;
+    s->n_corners = s->n_values = 0;
+}
+
 static int take_record(struct ply *s, const struct element *e, unsigned long long i)
 {
+    int has_uv = 0;
     for (int k = 0; k < e->n_properties; k++) {
         const struct property *p = &e->property[k];
         double v = 0.0;
@@ -296,7 +320,10 @@ static int take_record(struct ply *s, const struct element *e, unsigned long lon
             return sim_refuse(
                 s->file, s->format == FORMAT_ASCII ? s->line : 0,
                 "vertex %llu has a coordinate that is not finite; export the model again", i + 1);
+        has_uv |= p->role == ROLE_UV;
     }
+    if (has_uv)
+        take_uvs(s);
     return SIM_OK;
 }
 
@@ -336,11 +363,18 @@ static void cut_unknown(const struct ply *s, char *text, size_t *bytes)
         }
 }
 
-int sim_ply_check(struct sim_lost *lost, const char *file, char *text, size_t *n)
+void sim_ply_free(struct sim_ply *ply)
+{
+    free(ply->uv);
+    *ply = (struct sim_ply){ 0 };
+}
+
+int sim_ply_check(struct sim_ply *out, struct sim_lost *lost, const char *file, char *text, size_t *n)
 {
     const size_t bytes = *n;
     struct ply *s = sim_alloc(1, sizeof *s);
     s->file = file;
+    s->out = out;
     s->lost = lost;
     s->p = text;
     s->end = text + bytes;
@@ -363,6 +397,6 @@ int sim_ply_check(struct sim_lost *lost, const char *file, char *text, size_t *n
     }
     if (status == SIM_OK)
         cut_unknown(s, text, n);
-    free(s);
+    SIM_FREE(s->value, s);
     return status;
 }

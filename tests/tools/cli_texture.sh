@@ -329,6 +329,34 @@ halves whole.off ff0000 008242
 off '1 0 0 1' '0 0.5 0.25 1' >whole.off
 halves whole.off ff0000 008242
 
+begin ply_texture_coordinates_of_corners
+cornered() { # UV-OF-A-FACE...    two quads side by side that share two vertices, each with a picture of its own
+    printf '%s\n' ply 'format ascii 1.0' 'comment TextureFile four.png' 'element vertex 6' 'property float x' \
+        'property float y' 'property float z' 'element face 2' 'property list uchar int vertex_indices' \
+        'property list uchar float texcoord' end_header '-50 -50 0' '0 -50 0' '50 -50 0' '-50 50 0' '0 50 0' '50 50 0' \
+        "4 0 1 4 3 $1" "4 1 2 5 4 $2"
+}
+whole='8 0 0 1 0 1 1 0 1'
+cornered "$whole" "$whole" >corners.ply
+draw corners corners.ply $plain --shade unlit
+for x in 80 130; do
+    color corners $x 80 ff0000
+    color corners $((x + 30)) 80 00ff00
+    color corners $x 160 0000ff
+    color corners $((x + 30)) 160 ffffff
+done
+cornered "$whole" '8 1 0 0 0 0 1 1 1' >corners.ply # turned over
+draw corners corners.ply $plain --shade unlit
+color corners 110 80 00ff00
+color corners 130 80 00ff00
+color corners 160 80 ff0000
+for few in 0 '6 0 0 1 0 1 1'; do
+    cornered "$whole" "$few" >corners.ply
+    draw corners corners.ply $plain --shade unlit
+    color corners 110 80 00ff00
+    color corners 130 80 $grey
+done
+
 # ---- glTF's colours of vertices: times the material's. All that are no texels are light
 begin gltf_colours_of_vertices
 colored() { # FACTOR EMISSION COMPONENTS    a quad whose vertices are ff8040

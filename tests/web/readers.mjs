@@ -154,6 +154,13 @@ for (const names of [ [ 'red' ], [ 'green' ], [ 'alpha' ], [ 'r', 'red', 'b', 'b
     await same(`colours_of_${names.join('_')}`, {'some.ply': ply('uchar', types.uchar, {names})});
 await same('normals_of_one_number', {'nz.ply': ply('float', types.float, {names: [ 'nz' ]})});
 await same('carriage_returns_in_a_ply', {'cr.ply': ply('uchar', types.uchar, {end: '\r'})});
+for (const [ name, second ] of [ [ 'corners', '6 1 1 0 0 1 0' ], [ 'some_corners', '4 0 0 1 1' ] ])
+    await same(`texture_coordinates_of_${name}`, {
+        [`${name}.ply`]: ply('float', [], {names: [], face: 'property list uchar float texcoord'})
+            .replace('element vertex', 'comment TextureFile a picture.png\nelement vertex')
+            .replace('0 1 2 7', '0 1 2 6 0 0 1 0 1 1').replace('0 2 3 7', `0 2 3 ${second}`),
+        'a picture.png': picture,
+    });
 await same('both_line_ends_in_a_ply', {'crlf.ply': ply('uchar', types.uchar, {end: '\r\n'})});
 await same('positions_of_double', {'double.ply': ply('uchar', types.uchar, {position: 'double', by: 1e8 + 1 / 3})});
 const others = {

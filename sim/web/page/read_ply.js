@@ -1,4 +1,5 @@
-/* PLY, text and binary of both orders of bytes: positions, normals, colours and texture coordinates of vertices.
+/* PLY, text and binary of both orders of bytes: positions, normals, colours and texture coordinates of vertices,
+ * texture coordinates of corners, and a texture.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -29,9 +30,11 @@ function readHeader(name, bytes) {
     const lines = head.slice(0, end ? end.index + 1 : undefined).split(/\r\n|\n|\r/);
     if (lines[0].trim() !== 'ply') throw new BadModel(name, 1, 'not a PLY file: its first line is not `ply`');
     if (!end) throw new BadModel(name, lines.length, 'cut off: its header has no end; get the whole file');
-    const header = { format: '', elements: [], start: end.index + end[0].length, lines: lines.length };
+    const header = { format: '', texture: null, elements: [], start: end.index + end[0].length, lines: lines.length };
     for (let i = 1; i < lines.length - 1; i++) {
         const word = lines[i].trim().split(/\s+/);
+        if (word[0] === 'comment' && word[1] === 'TextureFile')
+            header.texture = lines[i].replace(/^\s*comment\s+TextureFile\s*/, '').trimEnd() || null;
         if (/^(comment|obj_info|)$/.test(word[0])) continue;
         const wrong = (why) => {
             throw new BadModel(name, i + 1, why);
@@ -122,6 +125,10 @@ export function readPly(name, bytes) {
     const countOf = (what) => (header.elements.find((e) => e.name === what) || { count: 0 }).count;
     if (!(countOf('face') > 0)) throw new BadModel(name, 0, 'no faces in it; zsim draws polygons');
     const body = new Body(name, bytes, header);
+    const has = (what, names) =>
+        header.elements.some((e) => e.name === what && e.properties.some((p) => names.includes(p.name)));
+    const hasUvs = header.elements.some((e) =>
+        e.name === 'face' && e.properties.some((p) => p.length && p.name === 'texcoord'));
     let known = null;
     for (const element of header.elements) {
         for (let i = 0; i < element.count; i++) {
@@ -132,20 +139,26 @@ export function readPly(name, bytes) {
                 rows.push(row);
             } else if (element.name === 'face') {
                 const list = row.vertex_indices || row.vertex_index || [];
+                const uvs = hasUvs && uvsOf(row.texcoord, list.length);
                 corners.polygon(
-                    list.map((v) => vertexOf(corners, rows, v, known)),
+                    list.map((v, k) => vertexOf(corners, rows, v, known, uvs && [uvs[k]])),
                     0,
                 );
             }
         }
     }
-    const has = (what, names) =>
-        header.elements.some((e) => e.name === what && e.properties.some((p) => names.includes(p.name)));
     const losses = [];
     if (has('vertex', ['diffuse_red'])) losses.push('colours of the name diffuse_red are left out');
     if (has('face', ['red', 'diffuse_red'])) losses.push('colours of faces are left out');
     if (countOf('tristrips') > 0) losses.push('triangle strips are left out');
-    return corners.model(name, { losses });
+    const { texture } = header;
+    return corners.model(name, texture ? { losses, textures: [texture], materials: [{ texture: 0 }] } : { losses });
+}
+
+/* Of a face's corners: two numbers for each of them, or none. */
+function uvsOf(values, n) {
+    const own = values.length === 2 * n;
+    return Array.from({ length: n }, (_, k) => (own ? values.slice(2 * k, 2 * k + 2).map(Math.fround) : null));
 }
 
 function readRow(body, element, i, vertices) {
@@ -199,16 +212,18 @@ function knownOf(properties) {
     };
 }
 
-function vertexOf(corners, rows, v, { colors, normals }) {
+/* own: in a list, texture coordinates of the corner alone, which may be null; undefined or false: there are none. */
+function vertexOf(corners, rows, v, { colors, normals }, own) {
     const row = rows[v],
         p = [row.x, row.y, row.z].map(Math.fround);
     const u = row.s ?? row.u ?? row.texture_u,
         w = row.t ?? row.v ?? row.texture_v;
+    const uv = own ? own[0] : u === undefined || w === undefined ? null : [u, w].map(Math.fround);
     return corners.vertex(
-        v,
+        own ? `${v}/${uv}` : v,
         p,
         normals ? [row.nx ?? 0, row.ny ?? 0, row.nz ?? 0] : null,
-        u === undefined || w === undefined ? null : [u, w].map(Math.fround),
+        uv,
         colors && colors.map((property) => (property ? shareOf(row[property.name], property) : 0)),
     );
 }

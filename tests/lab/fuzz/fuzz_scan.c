@@ -151,8 +151,11 @@ static int ply(struct sim_lost *lost, const char *file, const char *text, size_t
 {
     size_t n = bytes;
     char *own = ended((const uint8_t *)text, bytes);
-    const int status = sim_ply_check(lost, file, own, &n);
+    struct sim_ply out = { 0 };
+    const int status = sim_ply_check(&out, lost, file, own, &n);
     EXPECT(n <= bytes && own[n] == '\0' && (status == SIM_OK || n == bytes));
+    EXPECT(out.n_uvs <= out.room && (out.uv != NULL || out.n_uvs == 0));
+    sim_ply_free(&out);
     free(own);
     return status;
 }
