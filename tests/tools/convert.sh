@@ -481,7 +481,7 @@ convert look looks/metal.gltf
 holds look/m.c '.specular = { 255, 188, 0 }, .emission = { 0, 0, 0 }, .flags = ZS_LIT_TWO_SIDED }, /* "gold" */'
 line shade_smooth '.rgb = { 255, 188, 0 }' 'BACK }, /* "rough" */'
 begin highlights_on_textures_that_are_written
-holds look/m.c '.specular = { 255, 164, 0 }, .emission = { 0, 0, 0 } }, /* "cloth" */' # by red.png's mean
+holds look/m.c '.specular = { 255, 240, 0 }, .emission = { 0, 0, 0 } }, /* "cloth" */' # by red.png's mean
 convert look looks/lossy.gltf
 line_of_gloss='{ .material = { .shader = &zs_shade_texture_gloss, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK'
 holds look/m.c "$line_of_gloss, .texture = &m_texture[0] },"
