@@ -70,11 +70,12 @@ struct sim_ply {
 };
 
 /* Refuse a PLY or STL file that is cut off, or in which a face is wrong, or a .glb by its header; note colours that are
- * not read. Text as above; sim_ply_free in any case; elements that assimp does not know are cut out of a PLY's. */
+ * not read. Text as above; sim_ply_free in any case. Elements that assimp does not know are cut out of a PLY's; of an
+ * STL's, words get small letters, and what is between solids becomes blanks. */
 int sim_gltf_check(const char *file, const char *text, size_t bytes);
 int sim_ply_check(struct sim_ply *ply, struct sim_lost *lost, const char *file, char *text, size_t *bytes);
 void sim_ply_free(struct sim_ply *ply);
-int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
+int sim_stl_check(struct sim_lost *lost, const char *file, char *text, size_t bytes);
 
 /* Of an OFF file: note colours that are not read. */
 void sim_off_look(struct sim_lost *lost, const char *text, size_t bytes);

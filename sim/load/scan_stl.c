@@ -1,4 +1,5 @@
-/* STL: is it all there? Text ends in `endsolid`; binary says how long it is.
+/* STL: is it all there? Text ends in `endsolid`; binary says how long it is. assimp takes words in small letters alone,
+ * and after `endsolid` it ends at the first line that is not `solid`: it gets the text so that it loses nothing.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -20,39 +21,90 @@ static int is_text(const char *text, size_t bytes)
     size_t i = 0;
     while (i < bytes && strchr(" \t\r\n", text[i]) && text[i] != '\0')
         i++;
-    return bytes - i >= 5 && memcmp(text + i, "solid", 5) == 0 &&
+    return bytes - i >= 5 && strncasecmp(text + i, "solid", 5) == 0 &&
            memchr(text, '\0', bytes < 1024 ? bytes : 1024) == NULL;
 }
 
-/* Has each line of a vertex three numbers? A facet with more than three vertices is noted: assimp reads its first. */
-static int check_vertices(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
+/* Is it the word at p? */
+static int is_word(const char *p, const char *word)
 {
+    const size_t n = strlen(word);
+    return strncasecmp(p, word, n) == 0 && (p[n] == '\0' || strchr(" \t\r\n", p[n]) != NULL);
+}
+
+/* Does a word stand anywhere in a line? */
+static int has_word(const char *line, size_t n, const char *word)
+{
+    for (size_t i = 0; i < n; i++)
+        if ((i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t') && is_word(line + i, word))
+            return 1;
+    return 0;
+}
+
+/* Does a solid end in a line, that is not its first? `end solid`, which assimp passes over, may be the last. */
+static int ends_solid(const char *line, size_t n)
+{
+    return has_word(line, n, "endsolid") || (is_word(line, "end") && has_word(line, n, "solid"));
+}
+
+/* Small letters; names of solids stay. */
+static void lower(char *line, size_t n)
+{
+    const int named = is_word(line, "solid") || is_word(line, "endsolid");
+    for (size_t i = 0; i < n && !(named && (line[i] == ' ' || line[i] == '\t')); i++)
+        line[i] = (char)(line[i] >= 'A' && line[i] <= 'Z' ? line[i] - 'A' + 'a' : line[i]);
+}
+
+/* Has a line of a vertex three numbers? */
+static int check_vertex(const char *file, uint32_t number, const char *line, size_t n)
+{
+    const char *at = line + 6;
+    char *stop;
+    int numbers = 0;
+    while (numbers < 3 && ((void)strtod(at, &stop), stop != at && stop <= line + n)) {
+        at = stop;
+        numbers++;
+    }
+    return numbers == 3 ? SIM_OK
+                        : sim_refuse(file, number, "'%.*s' is not a vertex of three numbers", (int)(n < 40 ? n : 40),
+                                     line);
+}
+
+/* A facet with more than three vertices is noted: assimp reads its first. What stands between solids becomes blanks. */
+static int check_lines(struct sim_lost *lost, const char *file, char *text, size_t bytes)
+{
+    static const char *const inside[] = { "facet", "outer", "vertex", "endloop", "endfacet" };
     uint32_t line = 1, corners = 0;
-    for (const char *p = text, *const end = text + bytes; p < end; line++) {
-        const char *const from = p + strspn(p, " \t");
+    int open = 0, status = SIM_OK;
+    for (char *p = text, *const end = text + bytes; status == SIM_OK && p < end; line++) {
+        char *const from = p + strspn(p, " \t");
         const size_t n = strcspn(from, "\r\n");
-        if (strncmp(from, "vertex", 6) == 0 && (from[6] == ' ' || from[6] == '\t')) {
-            const char *at = from + 6;
-            char *stop;
-            int numbers = 0;
-            while (numbers < 3 && ((void)strtod(at, &stop), stop != at && stop <= from + n)) {
-                at = stop;
-                numbers++;
-            }
-            if (numbers < 3)
-                return sim_refuse(file, line, "'%.*s' is not a vertex of three numbers", (int)(n < 40 ? n : 40), from);
+        int known = 0;
+        for (size_t i = 0; i < sizeof inside / sizeof inside[0]; i++)
+            known |= is_word(from, inside[i]);
+        if (known && !open)
+            status = sim_refuse(file, line, "'%.*s' is outside a solid; put `solid` before it",
+                                (int)(n < 40 ? n : 40), from);
+        open |= is_word(from, "solid");
+        if (!open)
+            memset(from, ' ', n);
+        else if (known || is_word(from, "solid") || is_word(from, "endsolid"))
+            lower(from, n);
+        if (status == SIM_OK && is_word(from, "vertex")) {
+            status = check_vertex(file, line, from, n);
             if (++corners == 4)
                 sim_lose(lost, SIM_LOST_CORNERS, "");
-        } else if (strncmp(from, "facet", 5) == 0) {
+        } else if (is_word(from, "facet")) {
             corners = 0;
         }
+        open = open && (is_word(from, "solid") || !has_word(from, n, "endsolid"));
         p = from + n;
         p += p < end && p[0] == '\r' && p[1] == '\n' ? 2 : 1;
     }
-    return SIM_OK;
+    return status;
 }
 
-int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, size_t bytes)
+int sim_stl_check(struct sim_lost *lost, const char *file, char *text, size_t bytes)
 {
     const uint64_t n = bytes >= 84 ? u32(text + 80) : 0;
     const int binary = bytes >= 84 && bytes == 84 + 50 * n;
@@ -66,9 +118,6 @@ int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, siz
     const size_t mark = bytes >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
     if (mark > 0 && is_text(text + mark, bytes - mark))
         return sim_refuse(file, 0, "begins with a UTF-8 byte order mark; save it without one, as by tail -c +4");
-    if (!is_text(text, bytes) && strncasecmp(text + mark, "solid", 5) == 0 && memchr(text, '\0', bytes) == NULL)
-        return sim_refuse(file, 0, "its words are not in small letters (`%.5s`); write them so, as by tr A-Z a-z",
-                          text + mark);
     if (!is_text(text, bytes)) {
         if (bytes < 84)
             return sim_refuse(file, 0, "cut off: %zu bytes are no STL file; get the whole file",
@@ -81,7 +130,7 @@ int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, siz
                           "is longer than it says: %llu faces take %llu bytes, it has %zu; export the model again",
                           (unsigned long long)n, (unsigned long long)(84 + 50 * n), bytes);
     }
-    if (text[0] != 's')
+    if (text[0] != 's' && text[0] != 'S')
         return sim_refuse(file, 0, "begins with blanks in place of `solid`; export the model again");
     size_t end = bytes;
     while (end > 0 && strchr(" \t\r\n", text[end - 1]) && text[end - 1] != '\0')
@@ -91,9 +140,8 @@ int sim_stl_check(struct sim_lost *lost, const char *file, const char *text, siz
         from--;
     while (from < end && (text[from] == ' ' || text[from] == '\t'))
         from++;
-    if (end - from < 8 || memcmp(text + from, "endsolid", 8) != 0)
+    if (!ends_solid(text + from, end - from))
         return sim_refuse(file, 0, "cut off: its last line is not `endsolid`; get the whole file");
-    if (strstr(text, "facet") == NULL)
-        return sim_refuse(file, 0, "no faces in it");
-    return check_vertices(lost, file, text, bytes);
+    const int status = check_lines(lost, file, text, bytes);
+    return status == SIM_OK && strstr(text, "facet") == NULL ? sim_refuse(file, 0, "no faces in it") : status;
 }

@@ -662,6 +662,23 @@ sed "s/\$/$cr/" quad_ascii.ply >crlf.ply
 taken ply_crlf crlf.ply $plain
 same quad ply_crlf
 
+# Two solids of a facet each, in ways that assimp reads half of, or none
+between() { # TEXT    what stands between them
+    sed "0,/^endfacet/s//endfacet\n$1/" quad_ascii.stl
+}
+tr a-z A-Z <quad_ascii.stl >stl_capitals.stl
+between 'endsolid quad\n; a comment\n\nsolid b' >stl_comment.stl
+between 'endsolid quad\nSOLID b' >stl_mixed.stl
+between 'endsolid quad\nendsolid\nsolid Facet' >stl_twice.stl
+sed '9,$s/facet/Facet/; 9,$s/vertex/VERTEX/' quad_ascii.stl >stl_facets.stl
+between '' | tr '\n' '~' | sed 's/endfacet~endsolid/endfacet endsolid/' | tr '~' '\n' >stl_last_line.stl
+sed 's/endsolid quad/end solid/' quad_ascii.stl >stl_two_words.stl
+draw stl quad_ascii.stl $plain
+for how in capitals comment mixed twice facets last_line two_words; do
+    taken stl_$how stl_$how.stl $plain
+    same stl stl_$how
+done
+
 # ---- Refused -------------------------------------------------------------------------------------
 refused missing_file 'No such file' nowhere.obj
 refused missing_folder 'No such file' no/where.obj
@@ -698,8 +715,9 @@ sed -e 's/element face 1/element face 0/' -e '$d' quad_ascii.ply >points.ply
 refused no_faces_ply 'no faces' points.ply
 printf 'solid x\nendsolid x\n' >points.stl
 refused no_faces_stl 'no faces' points.stl
-tr a-z A-Z <quad_ascii.stl >capitals.stl
-refused capitals_stl 'its words are not in small letters (`SOLID`); write them so, as by tr A-Z a-z' capitals.stl
+{ cat quad_ascii.stl && sed -n '/^facet/,/^endfacet/p' quad_ascii.stl; } | sed '$s/$/\nendsolid/' >outside.stl
+what="outside.stl:17: 'facet normal 0 0 1' is outside a solid; put \`solid\` before it"
+refused outside_a_solid_stl "$what" outside.stl
 { printf '\357\273\277' && cat quad_ascii.stl; } >mark.stl
 refused byte_order_mark_stl 'begins with a UTF-8 byte order mark; save it without one, as by tail -c +4' mark.stl
 for model in quad.obj quad_ascii.ply quad_ascii.stl quad.gltf; do

@@ -503,7 +503,8 @@ done
 begin edges_are_round_where_the_file_has_normals
 roof() { # MORE-OF-CORNERS [LINE]    two slopes that meet at a ridge
     obj roof 'mtllib four.mtl' 'v -50 -50 0' 'v 0 -50 50' 'v 0 50 50' 'v -50 50 0' 'v 50 -50 0' 'v 50 50 0' \
-        'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' ${2:+"$2"} 'usemtl A' "f 1/1$1 2/2$1 3/3$1 4/4$1" "f 2/1$1 5/2$1 6/3$1 3/4$1"
+        'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' ${2:+"$2"} 'usemtl A' "f 1/1$1 2/2$1 3/3$1 4/4$1" \
+        "f 2/1$1 5/2$1 6/3$1 3/4$1"
 }
 as_is() { # SHADE OPTION...    that is what is drawn without --shade
     shade=$1

@@ -75,6 +75,7 @@ for row in 0 one nan; do
     { printf 'solid x\n' && printf "$facet" "$row" && printf 'endsolid x\n'; } >"$broken/text_$row.stl"
 done
 sed -i '1s/^/ /' "$broken/text_0.stl"
+sed 's/^vertex 1 nan/endsolid x\n; a comment\nVERTEX 1 0/' "$broken/text_nan.stl" >"$broken/outside.stl"
 sed 's/^property float z$//' "$work/ring.ply" >"$broken/flat.ply"
 head -c 700 "$work/ring.ply" >"$broken/cut.ply"
 ply='ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n'

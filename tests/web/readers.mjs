@@ -201,6 +201,16 @@ await losses('names_colours_of_magics', {'magics.stl': stl('COLOR=', words)},
 const four = `solid x\nfacet normal 0 0 1\nouter loop\n${
     [ '0 0 0', '2 0 0', '2 2 1', '0 2 0' ].map((p) => `vertex ${p}\n`).join('')}endloop\nendfacet\nendsolid x\n`;
 await same('facets_of_four_vertices', {'four.stl': four});
+const facet = (v) => `facet normal 0 0 1\nouter loop\n${v.map((p) => `vertex ${p}\n`).join('')}endloop\nendfacet\n`;
+const halves = [ facet([ '0 0 0', '2 0 0', '2 2 1' ]), facet([ '0 0 0', '2 2 1', '0 2 0' ]) ];
+for (const [ name, text ] of Object.entries({
+         capitals: `solid x\n${halves.join('')}endsolid x\n`.toUpperCase(),
+         a_comment_between_solids: `solid x\n${halves[0]}endsolid x\n; a comment\nSOLID Facet\n${halves[1]}endsolid`,
+         some_capitals: `solid x\n${halves[0]}${halves[1].toUpperCase()}endsolid x\n`,
+         its_end_on_the_last_line: `solid x\n${halves.join('').trimEnd()} endsolid x\n`,
+         two_words_at_the_end: `solid x\n${halves.join('')}end solid x\n`,
+     }))
+    await same(`an_stl_with_${name}`, {[`${name}.stl`]: text});
 await losses('names_facets_of_four_vertices', {'four.stl': four}, 'vertices of facets beyond the third are left out');
 
 // ---- glTF: a square of two triangles that stands across, as two meshes

@@ -10,7 +10,7 @@ function isText(bytes) {
         const n = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
         if (84 + 50 * n === bytes.length) return false;
     }
-    return /^[ \t\r\n]*solid/.test(head) && !head.includes('\0');
+    return /^[ \t\r\n]*solid/i.test(head) && !head.includes('\0');
 }
 
 /* A vertex of a solid. */
@@ -62,17 +62,27 @@ function readBinary(name, bytes, corners, losses) {
 function readText(name, text, corners, losses) {
     let face = [],
         solid = '',
+        open = false,
         vertices = 0;
     const lines = text.split(/\r\n|\n|\r/);
-    if (text[0] !== 's')
+    if (!/^s/i.test(text))
         throw new BadModel(name, 0, 'begins with blanks in place of `solid`; export the model again');
-    if (!/(^|[\n\r])[ \t]*endsolid[^\n\r]*\s*$/.test(text))
+    const [last] = /[^\n\r]*$/.exec(text.trimEnd());
+    if (!/(^|[ \t])endsolid([ \t]|$)|^[ \t]*end[ \t](.*[ \t])?solid([ \t]|$)/i.test(last))
         throw new BadModel(name, 0, 'cut off: its last line is not `endsolid`; get the whole file');
     for (let line = 0; line < lines.length; line++) {
-        const word = lines[line].trim().split(/\s+/);
+        const plain = lines[line].trim(),
+            word = plain.toLowerCase().split(/\s+/);
+        if (!open && /^(facet|outer|vertex|endloop|endfacet)$/.test(word[0])) {
+            const why = `'${plain.slice(0, 40)}' is outside a solid; put \`solid\` before it`;
+            throw new BadModel(name, line + 1, why);
+        }
         if (word[0] === 'solid') {
-            solid = word.slice(1).join(' ');
+            solid = plain.split(/\s+/).slice(1).join(' ');
             vertices = 0;
+            open = true;
+        } else if (word.includes('endsolid')) {
+            open = false;
         } else if (word[0] === 'vertex') {
             const p = word.slice(1, 4).map((w) => Math.fround(Number(w)));
             if (p.length === 3 && word.slice(1, 4).some((w) => /^[+-]?(nan|inf)/i.test(w)))
@@ -82,7 +92,7 @@ function readText(name, text, corners, losses) {
                 throw new BadModel(
                     name,
                     line + 1,
-                    `'${lines[line].trim().slice(0, 40)}' is not a vertex of three numbers`,
+                    `'${plain.toLowerCase().slice(0, 40)}' is not a vertex of three numbers`,
                 );
             face.push(corners.vertex(p.join(), p));
         } else if (word[0] === 'endloop') {
@@ -103,13 +113,6 @@ export function readStl(name, bytes) {
         plain = /^\xef\xbb\xbf/.test(head) ? bytes.subarray(3) : bytes;
     if (plain !== bytes && isText(plain))
         throw new BadModel(name, 0, 'begins with a UTF-8 byte order mark; save it without one, as by tail -c +4');
-    const word = head.replace(/^\xef\xbb\xbf/, '').slice(0, 5);
-    if (!isText(bytes) && /^solid$/i.test(word) && !bytes.includes(0))
-        throw new BadModel(
-            name,
-            0,
-            `its words are not in small letters (\`${word}\`); write them so, as by tr A-Z a-z`,
-        );
     if (isText(bytes)) readText(name, new TextDecoder().decode(bytes), corners, losses);
     else if (bytes.length >= 84) readBinary(name, bytes, corners, losses);
     else throw new BadModel(name, 0, `cut off: ${bytes.length} bytes are no STL file; get the whole file`);
