@@ -617,8 +617,9 @@ static struct zs_rgb corner_rgb(const struct load *l, const struct aiMesh *mesh,
     if (mesh->mColors[0] == NULL || l->want->color != NULL || is_black(shown_rgb(l, &at->base)))
         return at->rgb;
     struct aiColor4D c = mesh->mColors[0][v];
-    const int none = l->family == FAMILY_OBJ ? c.r < 0.0f                          /* by the scan */
-                                             : l->family == FAMILY_STL && c.a < 1.0f; /* by assimp */
+    const int none = l->family == FAMILY_OBJ   ? c.r < 0.0f /* by the scan */
+                     : l->family == FAMILY_PLY ? !l->ply.colors
+                                               : l->family == FAMILY_STL && c.a < 1.0f; /* by assimp */
     if (none)
         return at->rgb;
     c.r *= at->base.r;

@@ -63,8 +63,9 @@ void sim_mtl_free(struct sim_mtl *mtl);
 const struct sim_mtl_entry *sim_mtl_find(const struct sim_mtl *mtl, const char *name);
 
 /* Texture coordinates that a PLY's faces give their corners (`texcoord`, as MeshLab writes it), of which assimp takes
- * one pair a vertex. */
+ * one pair a vertex; and whether its vertices have colours: assimp makes black ones of alpha alone. */
 struct sim_ply {
+    int colors; /* flag */
     float (*uv)[2]; /* [n_uvs], corners in file order: v upwards, NaN where a face has none; NULL: no face has any */
     size_t n_uvs, room;
 };

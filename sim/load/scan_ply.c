@@ -96,6 +96,7 @@ static const struct type *find_type(const char *name)
 
 static int take_property(struct ply *s, char *word[], int n)
 {
+    static const char *const colors[] = { "red", "r", "green", "g", "blue", "b" };
     const int is_list = n == 5 && strcmp(word[1], "list") == 0;
     if (s->n_elements == 0 || (!is_list && n != 3) ||
         s->element[s->n_elements - 1].n_properties == PROPERTIES_MAX)
@@ -114,6 +115,8 @@ static int take_property(struct ply *s, char *word[], int n)
         p->role = ROLE_INDICES;
     if (strcmp(e->name, "face") == 0 && is_list && strcmp(name, "texcoord") == 0)
         p->role = ROLE_UV;
+    for (size_t i = 0; !is_list && i < sizeof colors / sizeof colors[0]; i++)
+        s->out->colors |= strcmp(e->name, "vertex") == 0 && strcmp(name, colors[i]) == 0;
     if (strcmp(e->name, "vertex") == 0 && strcmp(name, "diffuse_red") == 0)
         sim_lose(s->lost, SIM_LOST_COLORS, name);
     if (strcmp(e->name, "face") == 0 && (strcmp(name, "red") == 0 || strcmp(name, "diffuse_red") == 0))

@@ -329,6 +329,17 @@ halves whole.off ff0000 008242
 off '1 0 0 1' '0 0.5 0.25 1' >whole.off
 halves whole.off ff0000 008242
 
+begin ply_alpha_without_colours
+printf '%s\n' ply 'format ascii 1.0' 'element vertex 4' 'property float x' 'property float y' 'property float z' \
+    'property uchar alpha' 'element face 1' 'property list uchar int vertex_indices' end_header '-50 -50 0 99' \
+    '50 -50 0 99' '50 50 0 99' '-50 50 0 99' '4 0 1 2 3' >alpha.ply
+z render alpha.ply --out out/alpha.png $plain --shade flat --ambient 1 --diffuse 0
+color alpha 90 120 $grey
+is "losses" "$(cat stderr)" 'zsim: alpha.ply: not carried over: alpha of vertex colours (1)'
+sed 's/alpha$/g/' alpha.ply >green.ply
+z render green.ply --out out/alpha.png $plain --shade flat --ambient 1 --diffuse 0
+color alpha 90 120 006100
+
 begin ply_texture_coordinates_of_corners
 cornered() { # UV-OF-A-FACE...    two quads side by side that share two vertices, each with a picture of its own
     printf '%s\n' ply 'format ascii 1.0' 'comment TextureFile four.png' 'element vertex 6' 'property float x' \

@@ -207,7 +207,7 @@ function knownOf(properties) {
     const last = (...names) => properties.filter((p) => !p.length && names.includes(p.name)).pop();
     const colors = [last('red', 'r'), last('green', 'g'), last('blue', 'b')];
     return {
-        colors: colors.some((p) => p) || last('alpha') ? colors : null,
+        colors: colors.some((p) => p) ? colors : null,
         normals: last('nx', 'ny', 'nz') !== undefined,
     };
 }
