@@ -734,6 +734,8 @@ static int look_through(struct load *l)
         status = sim_gltf_check(l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_OTHER)
         sim_gltf_extensions(l->model->lost, l->file, l->text, l->bytes);
+    if (status == SIM_OK && l->family == FAMILY_OTHER)
+        sim_gltf_skins(l->model->lost, l->file, l->text, l->bytes);
     l->gltf = l->family == FAMILY_OTHER && sim_gltf_json(l->file, l->text, l->bytes).p != NULL;
     if (status == SIM_OK && l->gltf)
         status = sim_gltf_floats(l->file, &l->text, &l->bytes, read_text);

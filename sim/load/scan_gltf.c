@@ -82,6 +82,57 @@ void sim_gltf_extensions(struct sim_lost *lost, const char *file, const char *te
     }
 }
 
+/* The key of a member, which is to be another name; p NULL: it is not there. */
+static struct sim_text key_of(struct sim_text object, const char *name)
+{
+    struct sim_text left = sim_text_inside(object), key, value;
+    while (object.p != NULL && *object.p == '{' && sim_text_next(&left, &key, &value))
+        if (sim_text_is(key, name))
+            return key;
+    return (struct sim_text){ NULL, NULL };
+}
+
+static int has_incomplete_skin(struct sim_text root)
+{
+    struct sim_text skins = sim_text_inside(sim_text_member(root, "skins")), skin;
+    while (sim_text_next(&skins, NULL, &skin))
+        if (sim_text_member(skin, "inverseBindMatrices").p == NULL)
+            return 1;
+    return 0;
+}
+
+/* The name of a node's mesh; "": it has none. */
+static void name_of_mesh(char out[40], struct sim_text root, struct sim_text node)
+{
+    struct sim_text meshes = sim_text_inside(sim_text_member(root, "meshes")), mesh = { NULL, NULL };
+    uint64_t i = sim_text_number(sim_text_member(node, "mesh"), 0);
+    while (sim_text_next(&meshes, NULL, &mesh) && i > 0)
+        i--;
+    const struct sim_text name = sim_text_member(mesh, "name");
+    const int known = i == 0 && name.p != NULL && sim_text_begins(name, "");
+    (void)snprintf(out, 40, "%.*s", known ? (int)(name.end - name.p < 41 ? name.end - name.p - 2 : 39) : 0,
+                   known ? name.p + 1 : "");
+}
+
+void sim_gltf_skins(struct sim_lost *lost, const char *file, char *text, size_t bytes)
+{
+    struct sim_text json = sim_gltf_json(file, text, bytes), root, node;
+    if (json.p == NULL || !sim_text_next(&json, NULL, &root) || !has_incomplete_skin(root))
+        return;
+    struct sim_text nodes = sim_text_inside(sim_text_member(root, "nodes"));
+    while (sim_text_next(&nodes, NULL, &node)) {
+        const struct sim_text key = key_of(node, "skin");
+        char name[40] = "";
+        if (key.p == NULL)
+            continue;
+        if (lost[SIM_LOST_SKIN].n == 0)
+            name_of_mesh(name, root, node);
+        sim_lose(lost, SIM_LOST_SKIN, name);
+        text[key.p + 1 - text] = '-';
+    }
+    text[key_of(root, "skins").p + 1 - text] = '-';
+}
+
 const char *sim_gltf_words(const char *file, const char *heard)
 {
     static const struct {

@@ -86,6 +86,17 @@ begin buffer_that_is_missing
 gltf '{"mesh":0}' none.bin >missing.gltf
 refused_soon missing.gltf 'it names none.bin, which is not there; put that file beside it'
 
+begin skin_without_matrices # glTF lets them out where they would be 1
+gltf '{"mesh":0,"skin":0}' "$inline" '"skins":[{"joints":[0]}],' |
+    sed 's/"meshes":\[{/&"name":"arm",/; s/,"TEXCOORD_0":1},"material":0/,"JOINTS_0":2,"WEIGHTS_0":3}/
+        s/\],"bufferViews/,{"bufferView":0,"componentType":5121,"count":3,"type":"VEC4"}&/
+        s/\],"bufferViews/,{"bufferView":0,"componentType":5126,"count":2,"type":"VEC4"}&/' >skin.gltf
+z render skin.gltf --out out/skin.png
+is status $status 0
+is losses "$(cat stderr)" 'zsim: skin.gltf: not carried over: skin (1, of mesh "arm")'
+z render tri.gltf --out out/x.png
+cmp -s out/x.png out/skin.png || wrong 'it is drawn otherwise than without a skin'
+
 begin buffers_and_textures_that_are_no_files
 gltf '{"mesh":0}' fifo.bin >buffer_fifo.gltf
 refused_soon buffer_fifo.gltf 'names fifo.bin, which is not a regular file'

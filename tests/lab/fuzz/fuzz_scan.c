@@ -138,6 +138,8 @@ static int floats(struct sim_lost *lost, const char *file, const char *text, siz
     size_t n = bytes;
     char *own = ended((const uint8_t *)text, bytes);
     sim_gltf_extensions(lost, file, text, bytes);
+    sim_gltf_skins(lost, file, own, bytes);
+    EXPECT(strlen(own) == strlen(text));
     const int status = sim_gltf_floats(file, &own, &n, no_file);
     size_t twice = n;
     EXPECT(status == SIM_OK || n == bytes);
