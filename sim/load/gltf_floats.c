@@ -1,5 +1,6 @@
 /* glTF: integer positions, normals and texture coordinates become floats, in a buffer that is added to the file's
- * text: assimp 5.2.5 takes their bytes for those of floats. What else is wrong with a file is left to assimp to say.
+ * text: assimp 5.2.5 takes their bytes for those of floats. So do numbers of which some are replaced (sparse), where
+ * others stand between them. What else is wrong with a file is left to assimp to say.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -86,14 +87,26 @@ struct edit {
     const char *from, *to;
     char *text; /* malloc'ed */
 };
+#define SPARSE_MAX 100000000u /* rows that nothing says but their count */
 #define EDIT_ROOM 160 /* of its text, but for a buffer's data */
 
 /* ---- Accessors ------------------------------------------------------------------------------- */
 
+static uint64_t size_of(uint64_t type) /* bytes; 0: there is no such type */
+{
+    return type == 5120 || type == 5121 ? 1 : type == 5122 || type == 5123 ? 2 : type == 5125 || type == 5126 ? 4 : 0;
+}
+
 static double value_of(const uint8_t *p, uint64_t type, int normalized)
 {
     static const double largest[4] = { 127.0, 255.0, 32767.0, 65535.0 };
-    const uint32_t raw = type < 5122 ? p[0] : (uint32_t)p[0] | (uint32_t)p[1] << 8;
+    uint32_t raw = 0;
+    float f;
+    for (uint64_t k = 0; k < size_of(type); k++)
+        raw |= (uint32_t)p[k] << (8 * k);
+    memcpy(&f, &raw, sizeof f);
+    if (type > 5123)
+        return type == 5126 ? (double)f : (double)raw;
     const double v = type == 5120 ? (double)(int8_t)raw : type == 5122 ? (double)(int16_t)raw : (double)raw;
     return normalized ? fmax(v / largest[type - 5120], -1.0) : v;
 }
@@ -103,47 +116,121 @@ static uint64_t number(struct sim_text of, const char *name, uint64_t usual)
     return sim_text_number(sim_text_member(of, name), usual);
 }
 
-/* Its numbers go behind those in g->out, where the file has them, and into edit what then stands for it.
- * attribute: what it is in a mesh. */
-static int take_accessor(struct gltf *g, struct sim_text a, struct sim_text attribute, struct edit *edit, size_t *edits)
+/* Where numbers are: rows of so many bytes, from one to the next. */
+struct rows {
+    const uint8_t *p; /* NULL: they are not there */
+    uint64_t stride;
+};
+
+/* Those that `place` says by its view and offset. */
+static int find_rows(struct rows *out, struct gltf *g, struct sim_text place, uint64_t count, uint64_t row)
 {
-    const struct sim_text kind = sim_text_member(a, "type"), flag = sim_text_member(a, "normalized");
-    const uint64_t type = number(a, "componentType", 0), count = number(a, "count", 0);
-    const uint64_t n = sim_text_is(kind, "VEC2") ? 2 : sim_text_is(kind, "VEC3") ? 3 : 0;
-    const uint64_t view = number(a, "bufferView", UINT64_MAX);
-    if (type < 5120 || type > 5123 || n == 0)
-        return SIM_OK;
-    if (sim_text_member(a, "sparse").p != NULL)
-        return sim_refuse(g->file, 0, "%.*s has integers, some of which are replaced (sparse); export it with floats",
-                          (int)(attribute.end - attribute.p), attribute.p);
+    const uint64_t view = number(place, "bufferView", UINT64_MAX);
+    *out = (struct rows){ NULL, 0 };
     if (view >= g->views.n)
         return SIM_OK;
     const struct sim_text v = g->views.item[view];
-    const uint64_t b = number(v, "buffer", UINT64_MAX), size = type < 5122 ? 1 : 2;
-    const uint64_t start = number(v, "byteOffset", 0) + number(a, "byteOffset", 0);
-    uint64_t stride = number(v, "byteStride", 0);
-    stride = stride > 0 ? stride : n * size;
+    const uint64_t b = number(v, "buffer", UINT64_MAX), stride = number(v, "byteStride", 0);
+    const uint64_t start = number(v, "byteOffset", 0) + number(place, "byteOffset", 0);
     if (b >= g->buffers.n)
         return SIM_OK;
     if (g->buffer[b].data == NULL)
         g->buffer[b] = load_buffer(g, (size_t)b);
     if (g->buffer[b].data == NULL)
         return SIM_OK;
-    if (count == 0 || start + (count - 1) * stride + n * size > g->buffer[b].n)
+    out->stride = stride > 0 ? stride : row;
+    if (count == 0 || start + (count - 1) * out->stride + row > g->buffer[b].n)
         return sim_refuse(g->file, 0, "an accessor goes beyond its buffer; get the whole file");
+    out->p = g->buffer[b].data + start;
+    return SIM_OK;
+}
+
+/* What an accessor of integers or floats says of its numbers: count rows of n. */
+struct shape {
+    uint64_t type, count, n;
+    int normalized;
+};
+
+/* A row from p to element i of those that begin at `first`. */
+static void put_row(struct gltf *g, size_t first, uint64_t i, const uint8_t *p, const struct shape *s)
+{
+    for (uint64_t k = 0; k < s->n; k++)
+        g->out[first + i * s->n + k] = (float)value_of(p + k * size_of(s->type), s->type, s->normalized);
+}
+
+/* Rows that take the place of some. number: the accessor's. */
+static int put_sparse(struct gltf *g, struct sim_text sparse, size_t first, const struct shape *s, size_t accessor)
+{
+    const struct sim_text indices = sim_text_member(sparse, "indices");
+    const uint64_t type = number(indices, "componentType", 0), count = number(sparse, "count", 0);
+    const uint64_t row = s->n * size_of(s->type);
+    struct rows at, values;
+    if (type != 5121 && type != 5123 && type != 5125)
+        return sim_refuse(g->file, 0, "an accessor makes no sense; export the model again");
+    int status = find_rows(&at, g, indices, count, size_of(type));
+    if (status == SIM_OK)
+        status = find_rows(&values, g, sim_text_member(sparse, "values"), count, row);
+    if (status == SIM_OK && (at.p == NULL || values.p == NULL))
+        status = sim_refuse(g->file, 0, "an accessor makes no sense; export the model again");
+    for (uint64_t k = 0; status == SIM_OK && k < count; k++) {
+        const uint64_t i = (uint64_t)value_of(at.p + k * at.stride, type, 0);
+        if (i >= s->count)
+            status = sim_refuse(g->file, 0, "accessor %zu replaces element %llu of %llu", accessor,
+                                (unsigned long long)i, (unsigned long long)s->count);
+        else
+            put_row(g, first, i, values.p + k * values.stride, s);
+    }
+    return status;
+}
+
+/* Does assimp read its numbers as they are? It takes integers for floats, and where some are replaced (sparse), it takes
+ * the others as if there were nothing between them. */
+static int is_read(const struct gltf *g, struct sim_text a, struct sim_text attribute, const struct shape *s)
+{
+    const uint64_t view = number(a, "bufferView", UINT64_MAX);
+    const uint64_t stride = view < g->views.n ? number(g->views.item[view], "byteStride", 0) : 0;
+    const int strided = stride > 0 && stride != s->n * size_of(s->type);
+    return !(sim_text_member(a, "sparse").p != NULL && strided) &&
+           (s->type == 5126 || sim_text_begins(attribute, "COLOR_"));
+}
+
+/* Its numbers go behind those in g->out, where assimp would take others, and into edit what then stands for it.
+ * attribute: what it is in a mesh. */
+static int take_accessor(struct gltf *g, size_t number_of, struct sim_text attribute, struct edit *edit, size_t *edits)
+{
+    const struct sim_text a = g->accessors.item[number_of], sparse = sim_text_member(a, "sparse");
+    const struct sim_text kind = sim_text_member(a, "type"), flag = sim_text_member(a, "normalized");
+    const struct shape s = { number(a, "componentType", 0), number(a, "count", 0),
+                             sim_text_is(kind, "VEC2")   ? 2
+                             : sim_text_is(kind, "VEC3") ? 3
+                             : sim_text_is(kind, "VEC4") ? 4
+                                                         : 0,
+                             flag.p != NULL && *flag.p == 't' };
+    const uint64_t row = s.n * size_of(s.type);
+    const size_t first = g->n;
+    struct rows base;
+    if (row == 0 || s.type == 5125 || is_read(g, a, attribute, &s))
+        return SIM_OK;
+    int status = find_rows(&base, g, a, s.count, row);
+    if (status != SIM_OK || (base.p == NULL && sparse.p == NULL))
+        return status;
+    if (base.p == NULL && sim_text_member(a, "bufferView").p != NULL)
+        return SIM_OK;
+    if (s.count > SPARSE_MAX && base.p == NULL)
+        return sim_refuse(g->file, 0, "an accessor makes no sense; export the model again");
     edit[*edits] = (struct edit){ a.p, a.end, sim_alloc(EDIT_ROOM, 1) };
     (void)snprintf(edit[(*edits)++].text, EDIT_ROOM,
                    "{\"bufferView\":%zu,\"byteOffset\":%zu,\"componentType\":5126,\"count\":%llu,\"type\":\"VEC%d\"}",
-                   g->views.n, g->n * sizeof *g->out, (unsigned long long)count, (int)n);
-    if (g->n + n * count > g->room) {
-        g->room = 2 * g->room + n * count;
+                   g->views.n, first * sizeof *g->out, (unsigned long long)s.count, (int)s.n);
+    g->n += s.n * s.count;
+    if (g->n > g->room) {
+        g->room = 2 * g->room + s.n * s.count;
         g->out = sim_grow(g->out, g->room, sizeof *g->out);
     }
-    for (uint64_t i = 0; i < count; i++)
-        for (uint64_t k = 0; k < n; k++)
-            g->out[g->n++] = (float)value_of(g->buffer[b].data + start + i * stride + k * size, type,
-                                             flag.p != NULL && *flag.p == 't');
-    return SIM_OK;
+    memset(g->out + first, 0, s.n * s.count * sizeof *g->out);
+    for (uint64_t i = 0; base.p != NULL && i < s.count; i++)
+        put_row(g, first, i, base.p + i * base.stride, &s);
+    return sparse.p != NULL ? put_sparse(g, sparse, first, &s, number_of) : SIM_OK;
 }
 
 /* Does one of a list name what is not there yet, and would be once a view and a buffer are added? */
@@ -167,7 +254,8 @@ static struct sim_text *find_uses(const struct gltf *g)
             while (sim_text_next(&attributes, &key, &value)) {
                 const uint64_t i = sim_text_number(value, UINT64_MAX);
                 if (i < g->accessors.n && (sim_text_is(key, "POSITION") || sim_text_is(key, "NORMAL") ||
-                                           sim_text_begins(key, "TEXCOORD_")))
+                                           sim_text_begins(key, "TEXCOORD_") ||
+                                           (sim_text_begins(key, "COLOR_") && use[i].p == NULL)))
                     use[i] = key;
             }
         }
@@ -259,7 +347,7 @@ int sim_gltf_floats(const char *file, char **text, size_t *bytes, sim_gltf_read 
     int status = SIM_OK;
     for (size_t i = 0; status == SIM_OK && i < g.accessors.n; i++)
         if (use[i].p != NULL)
-            status = take_accessor(&g, g.accessors.item[i], use[i], edit, &n);
+            status = take_accessor(&g, i, use[i], edit, &n);
     if (status == SIM_OK && n > 0 &&
         (names_missing(&g.accessors, "bufferView", g.views.n) || names_missing(&g.views, "buffer", g.buffers.n)))
         status = sim_refuse(file, 0, "it names parts that are not there; export the model again");

@@ -426,12 +426,36 @@ for model in small.gltf escaped.gltf inline.gltf small.glb; do
 done
 quad_of '"uri":"small.bin"' "$short,\"sparse\":{}" "$byte" >sparse.gltf
 z render sparse.gltf --out refused/old.png
-one_line 1 'sparse.gltf: "POSITION" has integers, some of which are replaced (sparse); export it with floats'
+one_line 1 'sparse.gltf: an accessor makes no sense; export the model again'
 quad_of '"uri":"small.bin"' "$short,\"byteOffset\":40" "$byte" >beyond.gltf
 z render beyond.gltf --out refused/old.png
 one_line 1 'beyond.gltf: an accessor goes beyond its buffer; get the whole file'
 
 # ---- Drawing --------------------------------------------------------------------------------------------
+begin gltf_numbers_that_are_replaced
+z2='\000\000'
+{ # positions, 16 bytes each, the third of which is wrong; its number and it; the same in integers
+    printf "$m$m${o}zzzz$p$m${o}zzzz$o$o${o}zzzz$m$p${o}zzzz"
+    printf "\002\000zz$p$p$o"
+    printf "$minus$minus${z2}zz$five$minus${z2}zz$z2$z2${z2}zz$minus$five${z2}zz$five$five$z2"
+} >replaced.bin
+replaced() { # TYPE STRIDE BASE VALUES    offsets of these
+    views=",{\"buffer\":1,\"byteOffset\":$3,\"byteLength\":$((4 * $2)),\"byteStride\":$2}"
+    views="$views,{\"buffer\":1,\"byteOffset\":64,\"byteLength\":4},{\"buffer\":1,\"byteOffset\":$4,\"byteLength\":$((118 - $4))}"
+    sparse='"sparse":{"count":1,"indices":{"bufferView":4,"componentType":5123},"values":{"bufferView":5}}'
+    gltf '"uri":"four.png"' "$bin},{\"uri\":\"replaced.bin\",\"byteLength\":118" '' '' '' "$views" |
+        sed "s/{\"bufferView\":0,\"componentType\":5126,/{\"bufferView\":3,\"componentType\":$1,$sparse,/"
+}
+for how in '5126 16 0 68' '5122 8 80 112'; do
+    # shellcheck disable=SC2086 # words of it
+    replaced $how >replaced.gltf
+    draw replaced replaced.gltf $plain --shade unlit
+    same four replaced
+done
+sed 's/"componentType":5123},"values"/"componentType":5125},"values"/' replaced.gltf >beyond.gltf
+z render beyond.gltf --out refused/old.png
+one_line 1 'beyond.gltf: accessor 0 replaces element 2054815746 of 4'
+
 begin repeat_and_clamp
 uv_obj three -1 -1 2 2
 for how in repeat clamp; do

@@ -272,6 +272,22 @@ for (const [ name, says ] of [ [ 'diffuse', {diffuseFactor: [ .2, .8, .3, 1 ]} ]
     model.extensionsUsed.push(glossy);
     await same(`specular_glossiness_of_a_${name}`, {[`${name}.gltf`]: JSON.stringify(model)});
 }
+for (const [ name, Type, componentType ] of [ [ 'floats', Float32Array, 5126 ], [ 'shorts', Int16Array, 5122 ] ]) {
+    // positions that are replaced, where something stands between the others
+    const model = JSON.parse(gltf({doubleSided: true})), at = new Float32Array(square.buffer, square.byteOffset, 18);
+    const rows = Type.from({length: 24}, (_, i) => (i % 4 < 3 && i >> 2 !== 2 ? at[3 * (i >> 2) + i % 4] : 7));
+    const parts = [ rows, Uint8Array.of(2, 0, 0, 0), Type.of(2, 2, 1) ].map((part) => Buffer.from(part.buffer));
+    const data = Buffer.concat(parts);
+    model.buffers.push({uri: `data:application/octet-stream;base64,${data.toString('base64')}`,
+        byteLength: data.length});
+    for (const [ i, part ] of parts.entries())
+        model.bufferViews.push({buffer: 1, byteOffset: Buffer.concat(parts.slice(0, i)).length, byteLength: part.length,
+                                   ...(i === 0 ? {byteStride: 4 * Type.BYTES_PER_ELEMENT} : {})});
+    Object.assign(model.accessors[0], {bufferView: 5, componentType, sparse: {count: 1,
+        indices: {bufferView: 6, componentType: 5121}, values: {bufferView: 7}}});
+    if (componentType !== 5126) model.extensionsRequired = [ 'KHR_mesh_quantization' ];
+    await same(`positions_that_are_replaced_of_${name}`, {[`replaced_${name}.gltf`]: JSON.stringify(model)});
+}
 { // normals of bytes, of which -128 is -1, too: where highlights are is seen best
     const model = JSON.parse(gltf({doubleSided: true, pbrMetallicRoughness: {roughnessFactor: 0.3}}, {NORMAL: 5}));
     const normals = Int8Array.from({length: 24}, (_, i) => [ -128, 40, 90, 0 ][i % 4] * (i < 12 ? 1 : -0.5));
