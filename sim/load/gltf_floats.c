@@ -183,8 +183,8 @@ static int put_sparse(struct gltf *g, struct sim_text sparse, size_t first, cons
     return status;
 }
 
-/* Does assimp read its numbers as they are? It takes integers for floats, and where some are replaced (sparse), it takes
- * the others as if there were nothing between them. */
+/* Does assimp read its numbers as they are? It takes integers for floats, and where some are replaced (sparse), it
+ * takes the others as if there were nothing between them. */
 static int is_read(const struct gltf *g, struct sim_text a, struct sim_text attribute, const struct shape *s)
 {
     const uint64_t view = number(a, "bufferView", UINT64_MAX);

@@ -85,8 +85,8 @@ void sim_off_look(struct sim_lost *lost, const char *text, size_t bytes);
  * nothing. */
 void sim_gltf_extensions(struct sim_lost *lost, const char *file, const char *text, size_t bytes);
 
-/* Of a glTF file with skins that have no matrices of their own, by which assimp would crash: all of its skins get another
- * name in the text, and are noted. */
+/* Of a glTF file with skins that have no matrices of their own, by which assimp would crash: all of its skins get
+ * another name in the text, and are noted. */
 void sim_gltf_skins(struct sim_lost *lost, const char *file, char *text, size_t bytes);
 
 /* The JSON of a glTF file; p NULL: it has none. A .glb's stands behind 20 bytes. */

@@ -441,7 +441,8 @@ z2='\000\000'
 } >replaced.bin
 replaced() { # TYPE STRIDE BASE VALUES    offsets of these
     views=",{\"buffer\":1,\"byteOffset\":$3,\"byteLength\":$((4 * $2)),\"byteStride\":$2}"
-    views="$views,{\"buffer\":1,\"byteOffset\":64,\"byteLength\":4},{\"buffer\":1,\"byteOffset\":$4,\"byteLength\":$((118 - $4))}"
+    views="$views,{\"buffer\":1,\"byteOffset\":64,\"byteLength\":4}"
+    views="$views,{\"buffer\":1,\"byteOffset\":$4,\"byteLength\":$((118 - $4))}"
     sparse='"sparse":{"count":1,"indices":{"bufferView":4,"componentType":5123},"values":{"bufferView":5}}'
     gltf '"uri":"four.png"' "$bin},{\"uri\":\"replaced.bin\",\"byteLength\":118" '' '' '' "$views" |
         sed "s/{\"bufferView\":0,\"componentType\":5126,/{\"bufferView\":3,\"componentType\":$1,$sparse,/"
