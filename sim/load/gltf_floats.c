@@ -1,6 +1,6 @@
 /* glTF: integer positions, normals and texture coordinates become floats, in a buffer that is added to the file's
  * text: assimp 5.2.5 takes their bytes for those of floats. So do numbers of which some are replaced (sparse), where
- * others stand between them. What else is wrong with a file is left to assimp to say.
+ * others stand between them. Texture coordinates that an extension names are named by the texture. What else is wrong with a file is left to assimp to say.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -48,7 +48,7 @@ struct gltf {
     struct sim_text json, root; /* all of it, and the object */
     struct sim_text binary;     /* of a .glb what its second chunk holds */
     const char *rest;           /* behind the JSON's chunk */
-    struct list accessors, views, buffers;
+    struct list accessors, views, buffers, materials;
     struct bytes *buffer; /* [buffers.n], those that were needed so far */
     float *out;
     size_t n, room;
@@ -263,6 +263,38 @@ static struct sim_text *find_uses(const struct gltf *g)
     return use;
 }
 
+/* ---- Texture coordinates --------------------------------------------------------------------- */
+
+/* assimp does not read which ones KHR_texture_transform names: it gets them as those of the texture itself, where the
+ * first of two members of a name counts. */
+static void take_texture(struct sim_text texture, struct edit *edit, size_t *edits)
+{
+    const struct sim_text extensions = sim_text_member(texture, "extensions");
+    const uint64_t of = number(sim_text_member(extensions, "KHR_texture_transform"), "texCoord", UINT64_MAX);
+    if (texture.p == NULL || *texture.p != '{' || of == UINT64_MAX || of == number(texture, "texCoord", 0))
+        return;
+    edit[*edits] = (struct edit){ texture.p + 1, texture.p + 1, sim_alloc(EDIT_ROOM, 1) };
+    (void)snprintf(edit[(*edits)++].text, EDIT_ROOM, "\"texCoord\":%llu,", (unsigned long long)of);
+}
+
+/* Of a material: its base colour's, and that of KHR_materials_pbrSpecularGlossiness. */
+static void take_textures(struct sim_text material, struct edit *edit, size_t *edits)
+{
+    const struct sim_text glossy = sim_text_member(sim_text_member(material, "extensions"),
+                                                   "KHR_materials_pbrSpecularGlossiness");
+    take_texture(sim_text_member(sim_text_member(material, "pbrMetallicRoughness"), "baseColorTexture"), edit, edits);
+    take_texture(sim_text_member(glossy, "diffuseTexture"), edit, edits);
+}
+
+static int uses_transform(struct sim_text root)
+{
+    struct sim_text names = sim_text_inside(sim_text_member(root, "extensionsUsed")), name;
+    while (sim_text_next(&names, NULL, &name))
+        if (sim_text_is(name, "KHR_texture_transform"))
+            return 1;
+    return 0;
+}
+
 /* ---- The new text ---------------------------------------------------------------------------- */
 
 static int by_place(const void *a, const void *b)
@@ -293,13 +325,12 @@ static void put_u32(char *p, size_t v)
         p[k] = (char)(v >> (8 * k) & 255);
 }
 
-/* n: of edits. A view and a buffer of what is in g->out follow. */
-static void rewrite(struct gltf *g, struct edit *edit, size_t n, char **text, size_t *bytes)
+/* A view and a buffer of what is in g->out. */
+static void add_buffer(struct gltf *g, struct edit *edit, size_t *n)
 {
-    const size_t raw = g->n * sizeof *g->out, code = SIM_BASE64_CHARS(raw) - 1, head = (size_t)(g->json.p - *text);
-    const size_t rest = (size_t)(*text + *bytes - g->rest);
+    const size_t raw = g->n * sizeof *g->out, code = SIM_BASE64_CHARS(raw) - 1;
     const char *const views = g->views.all.end - 1, *const buffers = g->buffers.all.end - 1;
-    struct edit *const view = &edit[n], *const buffer = &edit[n + 1];
+    struct edit *const view = &edit[(*n)++], *const buffer = &edit[(*n)++];
     *view = (struct edit){ views, views, sim_alloc(EDIT_ROOM, 1) };
     (void)snprintf(view->text, EDIT_ROOM, ",{\"buffer\":%zu,\"byteLength\":%zu}", g->buffers.n, raw);
     *buffer = (struct edit){ buffers, buffers, sim_alloc(EDIT_ROOM + code, 1) };
@@ -307,12 +338,18 @@ static void rewrite(struct gltf *g, struct edit *edit, size_t n, char **text, si
                             ",{\"byteLength\":%zu,\"uri\":\"data:application/octet-stream;base64,", raw);
     sim_base64_encode(buffer->text + at, g->out, raw);
     (void)strcat(buffer->text + at + code, "\"}");
+}
+
+/* n: of edits. */
+static void rewrite(struct gltf *g, struct edit *edit, size_t n, char **text, size_t *bytes)
+{
+    const size_t head = (size_t)(g->json.p - *text), rest = (size_t)(*text + *bytes - g->rest);
     size_t room = *bytes + 5;
-    for (size_t i = 0; i < n + 2; i++)
+    for (size_t i = 0; i < n; i++)
         room += strlen(edit[i].text);
     char *out = sim_alloc(room, 1);
     memcpy(out, *text, head);
-    size_t length = apply(out + head, g->json, edit, n + 2);
+    size_t length = apply(out + head, g->json, edit, n);
     while (head > 0 && length % 4 != 0)
         out[head + length++] = ' ';
     memcpy(out + head + length, g->rest, rest);
@@ -321,7 +358,7 @@ static void rewrite(struct gltf *g, struct edit *edit, size_t n, char **text, si
         put_u32(out + 8, *bytes);
         put_u32(out + 12, length);
     }
-    SIM_FREE(*text, view->text, buffer->text);
+    free(*text);
     *text = out;
 }
 
@@ -341,22 +378,27 @@ int sim_gltf_floats(const char *file, char **text, size_t *bytes, sim_gltf_read 
     g.views = list_of(g.root, "bufferViews");
     g.buffers = list_of(g.root, "buffers");
     g.buffer = sim_alloc(g.buffers.n + 1, sizeof *g.buffer);
+    g.materials = list_of(g.root, "materials");
     struct sim_text *use = find_uses(&g);
-    struct edit *edit = sim_alloc(g.accessors.n + 2, sizeof *edit);
+    struct edit *edit = sim_alloc(g.accessors.n + 2 * g.materials.n + 2, sizeof *edit);
     size_t n = 0;
     int status = SIM_OK;
     for (size_t i = 0; status == SIM_OK && i < g.accessors.n; i++)
         if (use[i].p != NULL)
             status = take_accessor(&g, i, use[i], edit, &n);
-    if (status == SIM_OK && n > 0 &&
+    if (status == SIM_OK && g.n > 0 &&
         (names_missing(&g.accessors, "bufferView", g.views.n) || names_missing(&g.views, "buffer", g.buffers.n)))
         status = sim_refuse(file, 0, "it names parts that are not there; export the model again");
+    if (status == SIM_OK && g.n > 0)
+        add_buffer(&g, edit, &n);
+    for (size_t i = 0; status == SIM_OK && i < g.materials.n && uses_transform(g.root); i++)
+        take_textures(g.materials.item[i], edit, &n);
     if (status == SIM_OK && n > 0)
         rewrite(&g, edit, n, text, bytes);
     for (size_t i = 0; i < n; i++)
         free(edit[i].text);
     for (size_t i = 0; i < g.buffers.n; i++)
         free(g.buffer[i].own);
-    SIM_FREE(g.accessors.item, g.views.item, g.buffers.item, g.buffer, g.out, use, edit);
+    SIM_FREE(g.materials.item, g.accessors.item, g.views.item, g.buffers.item, g.buffer, g.out, use, edit);
     return status;
 }

@@ -225,6 +225,14 @@ gltf '"uri":"four.png"' "$bin" '' '' \
     ',"extensions":{"KHR_texture_transform":{"offset":[0.25,0.125],"scale":[2,0.5]}}' >moved.gltf
 draw transform moved.gltf $plain --shade unlit
 same moved transform
+# It names texture coordinates, too: those count, whatever the texture names
+for own in '' ',"texCoord":0' ',"texCoord":7'; do
+    gltf '"uri":"four.png"' "$bin" '' '' "$own,\"extensions\":{\"KHR_texture_transform\":{\"texCoord\":1}}" |
+        sed 's/"TEXCOORD_0":2/"TEXCOORD_0":3,"TEXCOORD_1":2/
+            s/"VEC2"}\]/"VEC2"},{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"}]/' >second.gltf
+    z render second.gltf --out out/transform.png $plain --shade unlit
+    cmp -s out/transform.png out/four.png || wrong "of the texture: $own: $(said)"
+done
 
 # u' = cos * su * u + sin * sv * v + ou, v' = -sin * su * u + cos * sv * v + ov, v down the picture
 begin gltf_rotation

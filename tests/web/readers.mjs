@@ -257,6 +257,8 @@ for (const [ name, material, attributes ] of [
          [ 'a_texture_transform', {pbrMetallicRoughness: {baseColorTexture: {...texture, extensions:
               {KHR_texture_transform: {offset: [ .25, .5 ], scale: [ .5, .75 ], rotation: 0.5}}}}} ],
          [ 'the_second_coordinates', {pbrMetallicRoughness: {baseColorTexture: {...texture, texCoord: 1}}} ],
+         [ 'coordinates_of_an_extension', {pbrMetallicRoughness: {baseColorTexture: {...texture, extensions:
+              {KHR_texture_transform: {texCoord: 1, scale: [ 2, 2 ]}}}}} ],
          [ 'colours_of_one_mesh', {}, {COLOR_0: 3} ],
          [ 'colours_times_a_colour', {pbrMetallicRoughness: {baseColorFactor: [ .5, .9, .2, 1 ]}}, {COLOR_0: 3} ],
          [ 'a_metal_with_a_texture', {pbrMetallicRoughness: {baseColorTexture: texture, roughnessFactor: 0.8,
