@@ -41,6 +41,7 @@ struct sim_convert_options {
     struct zs_rgb color;
     int no_alpha;             /* flag: no material is transparent, and alpha of texels does nothing */
     int opaque;               /* flag: no material is transparent or has highlights, and alpha of texels does nothing */
+    int chosen;               /* flag: nobody asked for the look */
     int by_material;          /* flag: unlit materials get a shader of their own */
     int lit;                  /* flag: texels are lit by more than a brightness, which is done at vertices alone */
     int has_color, has_unit;  /* flags */

@@ -91,7 +91,7 @@ int sim_convert_load(struct sim_model *model, struct sim_convert_options *o)
     int status = sim_model_load(model, o->input, &want);
     if (status == SIM_OK && asked && model->n_textures == 0)
         status = refuse_untextured(model, o->input);
-    o->by_material = free_choice;
+    o->by_material = o->chosen = free_choice;
     if (status == SIM_OK && free_choice)
         o->look = look_of(model, o);
     if (status != SIM_OK)

@@ -230,6 +230,11 @@ void sim_groups_losses(struct work *w)
             sim_lose(lost, SIM_LOST_VERTEX_COLOR, m->name);
             seen[n] |= 2;
         }
+        if (!(seen[n] & 4) && w->options->chosen && paint.shader == SIM_SHADER_FLAT &&
+            !(same_rgb(model->rgb[t][0], model->rgb[t][1]) && same_rgb(model->rgb[t][0], model->rgb[t][2]))) {
+            sim_lose(lost, SIM_LOST_MEAN_COLOR, "");
+            seen[n] |= 4;
+        }
         if (!(seen[n] & 1))
             lose_of(w, m, &paint, lost);
         seen[n] |= 1;

@@ -53,7 +53,8 @@ void sim_scene_wish(struct sim_convert_options *c, const struct sim_options *o)
     c->has_color = o->has_color;
     c->opaque = sim_scene_is_plain(o);
     c->no_alpha = c->opaque || o->compare || o->reference; /* of which the reference knows nothing */
-    c->by_material = o->shade_chosen && !c->opaque;
+    c->chosen = o->shade_chosen;
+    c->by_material = c->chosen && !c->opaque;
     c->lit = o->effects.n_lights > 0 || o->effects.specular_text != NULL || o->effects.shadow == SIM_SHADOW_MAP;
     if (o->has_texel)
         c->texels = texels[o->texel];

@@ -818,6 +818,13 @@ facet="facet normal 0 0 1\\nouter loop\\n$corner$corner\\nendloop\\nendfacet\\n"
 # shellcheck disable=SC2059 # the format is above
 printf "solid x\\n$facet$facet${facet%%vertex*}${corner}endloop\\nendfacet\\nendsolid x\\n" 1 2 3 4 5 >named/facets.stl
 said_of named/facets.stl 'vertices of facets beyond the third (2)'
+begin colours_that_become_a_mean
+printf 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 1 1 0 0\nf 1 2 3\nf 1 1 4 2\n' >named/mean.obj
+said_of named/mean.obj 'vertex colours, but for their mean on each face: --shade smooth has them (1)'
+z render named/mean.obj --shade flat --out said.png
+is "said of what is asked for" "$(cat stderr)" ''
+sed 's/ [01] [01] [01]$/ 1 0 0/' named/mean.obj >named/one.obj
+said_of named/one.obj
 begin maps_of_other_names
 printf 'newmtl a\nmap_refl r.png\nmap_disp d.png\nmap_opacity o.png\nmap_Ps s.png\nmap_emissive e.png\nmap_aat on\n' \
     >named/maps.mtl
