@@ -41,7 +41,7 @@ static int read_picture(struct sim_conversion *c)
     if (o->for_models)
         return sim_refuse(o->input, 0, "is a picture, and %s is for models; leave it out",
                           o->model_option);
-    const int status = sim_image_load(&image, o->input);
+    const int status = sim_image_load(&image, o->input, 0);
     if (status != SIM_OK)
         return status;
     c->model.texture = sim_alloc(1, sizeof *c->model.texture);

@@ -339,7 +339,7 @@ static int make_environment(struct sim_effect_scene *out, uint32_t n, const stru
         image.rgb = sim_alloc((size_t)image.width * image.height, sizeof *image.rgb);
         memcpy(image.rgb, given->rgb, (size_t)image.width * image.height * sizeof *image.rgb);
     } else {
-        const int status = sim_image_load(&image, o->effects.environment);
+        const int status = sim_image_load(&image, o->effects.environment, 0);
         if (status != SIM_OK)
             return status;
     }

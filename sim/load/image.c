@@ -33,6 +33,33 @@ static int begin(struct sim_image *out, const char *name, uint64_t width, uint64
     return SIM_OK;
 }
 
+/* A PNG without what it says of its gamma and profile, malloc'ed; *n: bytes, as they are then. */
+static uint8_t *without_profile(const uint8_t *png, size_t *n)
+{
+    static const char *const left_out[] = { "gAMA", "cHRM", "iCCP", "sRGB" };
+    uint8_t *const out = sim_alloc(*n, 1);
+    size_t at = 8, to = 8;
+    memcpy(out, png, 8);
+    while (at < *n) {
+        const size_t left = *n - at;
+        size_t chunk = left;
+        int taken = 1;
+        if (left >= 12) {
+            const size_t length = (size_t)png[at] << 24 | (size_t)png[at + 1] << 16 | (size_t)png[at + 2] << 8 |
+                                  png[at + 3];
+            chunk = length <= left - 12 ? length + 12 : left;
+            for (size_t i = 0; i < sizeof left_out / sizeof left_out[0]; i++)
+                taken &= memcmp(png + at + 4, left_out[i], 4) != 0;
+        }
+        if (taken)
+            memcpy(out + to, png + at, chunk);
+        to += taken ? chunk : 0;
+        at += chunk;
+    }
+    *n = to;
+    return out;
+}
+
 static int decode_png(struct sim_image *out, const char *name, const void *bytes, size_t n)
 {
     png_image image;
@@ -93,22 +120,25 @@ static int decode_jpeg(struct sim_image *out, const char *name, const void *byte
     return status;
 }
 
-int sim_image_decode(struct sim_image *out, const char *name, const void *bytes, size_t n)
+int sim_image_decode(struct sim_image *out, const char *name, const void *bytes, size_t n, int as_it_is)
 {
     int status;
     memset(out, 0, sizeof *out);
-    if (n >= 8 && memcmp(bytes, "\x89PNG\r\n\x1a\n", 8) == 0)
-        status = decode_png(out, name, bytes, n);
-    else if (n >= 3 && memcmp(bytes, "\xff\xd8\xff", 3) == 0)
+    if (n >= 8 && memcmp(bytes, "\x89PNG\r\n\x1a\n", 8) == 0) {
+        uint8_t *own = as_it_is ? without_profile(bytes, &n) : NULL;
+        status = decode_png(out, name, own != NULL ? own : bytes, n);
+        free(own);
+    } else if (n >= 3 && memcmp(bytes, "\xff\xd8\xff", 3) == 0) {
         status = decode_jpeg(out, name, bytes, n);
-    else
+    } else {
         status = sim_refuse(name, 0, "neither a PNG nor a JPEG; save it as one of them");
+    }
     if (status != SIM_OK)
         sim_image_free(out);
     return status;
 }
 
-int sim_image_load(struct sim_image *out, const char *path)
+int sim_image_load(struct sim_image *out, const char *path, int as_it_is)
 {
     struct stat st;
     memset(out, 0, sizeof *out);
@@ -123,7 +153,7 @@ int sim_image_load(struct sim_image *out, const char *path)
     uint8_t *bytes = sim_alloc(n, 1);
     const int whole = fread(bytes, 1, n, f) == n;
     (void)fclose(f);
-    const int status = whole ? sim_image_decode(out, path, bytes, n)
+    const int status = whole ? sim_image_decode(out, path, bytes, n, as_it_is)
                              : sim_refuse(path, 0, "cannot be read to its end");
     free(bytes);
     return status;

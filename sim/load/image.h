@@ -57,12 +57,13 @@ struct sim_image {
 /* Decode a PNG (any kind; 16-bit channels are rounded; colours stay as they are where an alpha
  * channel hides them) or a JPEG (not CMYK; its orientation tag is not followed). Bytes
  * that are cut off or broken are refused whole.
- * name    for messages.
- * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_image_free in either case. */
-int sim_image_decode(struct sim_image *out, const char *name, const void *bytes, size_t n);
+ * name      for messages.
+ * as_it_is  flag: what a PNG says of its gamma and profile is passed over, as glTF wants it.
+ * Return    SIM_OK; SIM_REFUSED, said why, *out empty. sim_image_free in either case. */
+int sim_image_decode(struct sim_image *out, const char *name, const void *bytes, size_t n, int as_it_is);
 
 /* The same from a file. */
-int sim_image_load(struct sim_image *out, const char *path);
+int sim_image_load(struct sim_image *out, const char *path, int as_it_is);
 void sim_image_free(struct sim_image *image);
 
 /* sim_png_write, sim_png_save and sim_picture_save return SIM_OK or, having said why about the file, SIM_REFUSED. */

@@ -41,7 +41,7 @@ void sim_losses_print(FILE *f, const char *lead, const struct sim_lost *lost)
         [SIM_LOST_UV_SETS] = { "further texture coordinates", "of mesh " },
         [SIM_LOST_VERTEX_COLOR] = { "vertex colours under a texture", "of material " },
         [SIM_LOST_VERTEX_ALPHA] = { "alpha of vertex colours", "of mesh " },
-        [SIM_LOST_MEAN_COLOR] = { "vertex colours, but for their mean on each face: --shade smooth has them", "" },
+        [SIM_LOST_MEAN_COLOR] = { "vertex colours, but for their mean on each face: smooth shading has them", "" },
         [SIM_LOST_COLORS] = { "colours in another form", "" },
         [SIM_LOST_TEXTURE] = { "texture that cannot be loaded", "" },
         [SIM_LOST_UNPLACED] = { "texture of faces without texture coordinates", "of material " },

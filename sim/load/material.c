@@ -354,7 +354,7 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
 static int decode_embedded(struct sim_image *out, const char *name, const struct aiTexture *from)
 {
     if (from->mHeight == 0) /* mWidth bytes of a file */
-        return sim_image_decode(out, name, from->pcData, from->mWidth);
+        return sim_image_decode(out, name, from->pcData, from->mWidth, 1);
     if (from->mWidth < 1 || from->mWidth > SIM_IMAGE_MAX || from->mHeight > SIM_IMAGE_MAX)
         return sim_refuse(name, 0, "a picture of %u x %u px; zsim reads up to %d each way",
                           from->mWidth, from->mHeight, SIM_IMAGE_MAX);
@@ -403,7 +403,7 @@ static void load_mask(struct sim_model *model, struct sim_image *image, const st
         return;
     sim_quiet++;
     const int same = strcmp(use->mask, use->path) == 0 && image->alpha != NULL;
-    if (!same && (name == NULL || sim_image_load(&mask, name) != SIM_OK || mask.width != image->width ||
+    if (!same && (name == NULL || sim_image_load(&mask, name, 1) != SIM_OK || mask.width != image->width ||
                   mask.height != image->height)) {
         sim_lose(model->lost, SIM_LOST_OPACITY_MAP, material);
     } else if (!same) {
@@ -433,7 +433,7 @@ static int load_texture(struct sim_model *model, const struct aiScene *scene,
                                   : sim_refuse(name, 0, "is not in the file; export it again");
     } else {
         name = find_picture(model->file, use->path);
-        status = name != NULL ? sim_image_load(&image, name) : sim_outside_check();
+        status = name != NULL ? sim_image_load(&image, name, 1) : sim_outside_check();
         if (name == NULL && status == SIM_OK)
             status = sim_refuse(model->file, 0, "its texture '%s' is missing; put it beside the model", use->path);
     }
@@ -549,7 +549,7 @@ static int given_texture(struct sim_model *model, const struct sim_want *want)
                           "has no texture coordinates for %s; unwrap it in a modeller and export "
                           "them too",
                           want->picture);
-    int status = sim_image_load(&image, want->picture);
+    int status = sim_image_load(&image, want->picture, 0);
     if (status == SIM_OK)
         status = add_texture(model, &image, want->picture, NULL,
                              want->wrap == SIM_WRAP_CLAMP ? ZS_CLAMP_U | ZS_CLAMP_V : 0);

@@ -383,6 +383,8 @@ int sim_ply_check(struct sim_ply *out, struct sim_lost *lost, const char *file, 
     s->end = text + bytes;
     s->line = 1;
     int status = take_header(s);
+    if (status == SIM_OK && s->n_faces == 0 && lost[SIM_LOST_STRIPS].n > 0)
+        status = sim_refuse(file, 0, "its faces are triangle strips, which are not read; export it with faces");
     if (status == SIM_OK && s->n_faces == 0)
         status = sim_refuse(file, 0, "no faces in it; zsim draws polygons");
     skip_lines(s, 0);

@@ -6,8 +6,9 @@
 #include "image.h"
 #include "sim.h"
 
-int sim_image_load(struct sim_image *out, const char *path)
+int sim_image_load(struct sim_image *out, const char *path, int as_it_is)
 {
+    (void)as_it_is;
     *out = (struct sim_image){ 0 };
     return sim_refuse(path, 0, "pictures from files are for zsim on a desktop");
 }

@@ -713,6 +713,8 @@ obj lines 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'l 1 2 3' 'p 1'
 refused no_faces_but_lines 'no faces' lines.obj
 sed -e 's/element face 1/element face 0/' -e '$d' quad_ascii.ply >points.ply
 refused no_faces_ply 'no faces' points.ply
+sed -e 's/element face 1/element tristrips 1/' quad_ascii.ply >strips.ply
+refused strips_ply 'its faces are triangle strips, which are not read; export it with faces' strips.ply
 printf 'solid x\nendsolid x\n' >points.stl
 refused no_faces_stl 'no faces' points.stl
 { cat quad_ascii.stl && sed -n '/^facet/,/^endfacet/p' quad_ascii.stl; } | sed '$s/$/\nendsolid/' >outside.stl

@@ -123,6 +123,22 @@ both file file.gltf $plain --shade unlit
 quarters file $four
 quarters file_ref $four
 
+begin gamma_of_a_picture # of a model's own it is passed over
+./fixture png rgb grey.png 1 1 808080
+{
+    head -c 33 grey.png
+    printf '\000\000\000\004gAMA\000\001\206\240\061\350\226\137' # 1
+    tail -c +34 grey.png
+} >linear.png
+gltf '"uri":"linear.png"' "$bin" >linear.gltf
+gltf "\"uri\":\"data:image/png;base64,$(base64 -w0 linear.png)\"" "$bin" >inside.gltf
+for model in linear inside; do
+    draw gamma $model.gltf $plain --shade unlit
+    color gamma 80 80 848284
+done
+draw gamma bare.obj $plain --shade unlit --texture linear.png
+color gamma 80 80 bdbabd # 188 is half of light
+
 begin gltf_picture_in_a_data_uri
 gltf "\"uri\":\"data:image/png;base64,$(base64 -w0 four.png)\"" \
     "\"uri\":\"data:application/octet-stream;base64,$(base64 -w0 quad.bin)\",\"byteLength\":92" >data.gltf

@@ -820,7 +820,7 @@ printf "solid x\\n$facet$facet${facet%%vertex*}${corner}endloop\\nendfacet\\nend
 said_of named/facets.stl 'vertices of facets beyond the third (2)'
 begin colours_that_become_a_mean
 printf 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 1 1 0 0\nf 1 2 3\nf 1 1 4 2\n' >named/mean.obj
-said_of named/mean.obj 'vertex colours, but for their mean on each face: --shade smooth has them (1)'
+said_of named/mean.obj 'vertex colours, but for their mean on each face: smooth shading has them (1)'
 z render named/mean.obj --shade flat --out said.png
 is "said of what is asked for" "$(cat stderr)" ''
 sed 's/ [01] [01] [01]$/ 1 0 0/' named/mean.obj >named/one.obj

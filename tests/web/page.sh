@@ -78,6 +78,7 @@ sed -i '1s/^/ /' "$broken/text_0.stl"
 sed 's/^vertex 1 nan/endsolid x\n; a comment\nVERTEX 1 0/' "$broken/text_nan.stl" >"$broken/outside.stl"
 sed 's/^property float z$//' "$work/ring.ply" >"$broken/flat.ply"
 head -c 700 "$work/ring.ply" >"$broken/cut.ply"
+sed 's/^element face/element tristrips/' "$work/ring.ply" >"$broken/strips.ply"
 ply='ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n'
 ply="${ply}property list uchar int vertex_indices\nend_header\n0 0 0\n%b\n0 1 0\n%b\n"
 # shellcheck disable=SC2059 # the format is above

@@ -123,6 +123,8 @@ export function readPly(name, bytes) {
         corners = new Corners(),
         rows = [];
     const countOf = (what) => (header.elements.find((e) => e.name === what) || { count: 0 }).count;
+    if (!(countOf('face') > 0) && countOf('tristrips') > 0)
+        throw new BadModel(name, 0, 'its faces are triangle strips, which are not read; export it with faces');
     if (!(countOf('face') > 0)) throw new BadModel(name, 0, 'no faces in it; zsim draws polygons');
     const body = new Body(name, bytes, header);
     const has = (what, names) =>
