@@ -870,7 +870,7 @@ colors='{"buffer":0,"byteLength":72}],"buffers":[{"byteLength":72,"uri":"data:ap
     { tail -c +97 named/magics.stl | head -c 36 && tail -c +97 named/magics.stl | head -c 36; } | base64 -w0
     echo '"}]}'
 } >named/three.gltf
-said_of named/three.gltf
+said_of named/three.gltf 'vertex colours, but for their mean on each face: smooth shading has them (1)'
 begin masks_of_materials_that_have_alpha
 mask() { # ALPHA CUTOFF    of the first material
     sed "s/\"pbrMetallicRoughness\":{/\"alphaMode\":\"MASK\",\"alphaCutoff\":$2,&\"baseColorFactor\":[1,1,1,$1],/" \
