@@ -1,6 +1,7 @@
 /* glTF: integer positions, normals and texture coordinates become floats, in a buffer that is added to the file's
  * text: assimp 5.2.5 takes their bytes for those of floats. So do numbers of which some are replaced (sparse), where
- * others stand between them. Texture coordinates that an extension names are named by the texture. What else is wrong with a file is left to assimp to say.
+ * others stand between them. Texture coordinates that an extension names are named by the texture. What else is wrong
+ * with a file is left to assimp to say.
  *
  * SPDX-License-Identifier: MIT
  */
