@@ -17,12 +17,14 @@
 #include "zs_environment.h"
 #include "zs_explain.h"
 #include "zs_fast.h"
+#include "zs_filter.h"
 #include "zs_fog.h"
 #include "zs_lights.h"
 #include "zs_lines.h"
 #include "zs_method.h"
 #include "zs_overlay.h"
 #include "zs_pass.h"
+#include "zs_shadow.h"
 
 /* ---- What is said ---------------------------------------------------------------------------- */
 
@@ -591,7 +593,7 @@ static const struct mistake dark[] = {
     { "strength 1", with_lamps, lamp_strength_1, ZS_OK, "all that is drawn is black: colours, texture or lamps are" },
     { "lamp 0 0 1", with_lamps, lamp_dir_1, ZS_ERR_VECTOR, "instance 0 is refused: a direction of length 0" },
     { "power 0", with_lamps, power_0, ZS_ERR_RANGE,
-      "instance 0 is refused: its material has a field out of range: lamps, flags, or a shine" },
+      "instance 0 is refused: its material has a field out of range: lamps, flags, a shine that" },
 };
 
 static void it_is_dark(void **state)
@@ -787,6 +789,51 @@ static void it_is_slow(void **state)
     CHECK_ALL(slow);
 }
 
+/* The number behind a name in what was said; `is` where it is not. */
+static uint16_t named(const struct words *words, const char *name, uint16_t is)
+{
+    const char *const at = strstr(words->text, name);
+    return at ? (uint16_t)strtoul(at + strlen(name), NULL, 10) : is;
+}
+
+/* 1: with the pools that a sentence names, the frame is drawn in one pass, and is the same. 0: wrong. -1: no sentence
+ * about passes. */
+static int one_pass(struct world *w, const char *name)
+{
+    struct words words;
+    uint32_t said;
+    CASE_CHECK(world_hear(w, &words, &said) == ZS_OK);
+    if (!strstr(words.text, "one needs max_"))
+        return strstr(words.text, "one needs") ? case_wrong("%s: %s", name, words.text) : -1;
+    struct picture was = picture_draw(&w->config, &w->scene, &w->camera);
+    w->config.max_tris = named(&words, " max_tris ", w->config.max_tris);
+    w->config.max_verts = named(&words, " max_verts ", w->config.max_verts);
+    struct picture p = picture_draw(&w->config, &w->scene, &w->camera);
+    const int once = p.err == ZS_OK && p.stats.passes == 1, same = picture_same(&was, &p, name);
+    const uint32_t passes = p.stats.passes;
+    PICTURES_FREE(&was, &p);
+    return !once ? case_wrong("%s: error %d, %u passes\n%s", name, p.err, passes, words.text) : same;
+}
+
+/* More than pools can hold. */
+static void no_pool_is_enough(void **state)
+{
+    static int16_t many[40000][3];
+    struct world w;
+    struct words words;
+    uint32_t said;
+    world_cube(&w);
+    world_two(&w);
+    world_sheet(&w);
+    memcpy(many, sheet_pos, sizeof sheet_pos);
+    w.sheet.pos = (const int16_t(*)[3])many;
+    w.sheet.n_verts = 40000;
+    w.instance[1].mesh = &w.sheet;
+    w.config.max_tris = 4;
+    assert_int_equal(world_hear(&w, &words, &said), ZS_OK);
+    assert_non_null(strstr(words.text, " passes; pools of 65534 do not hold it in one: larger ones take fewer.\n"));
+}
+
 /* The pools that a sentence names take the scene in one pass. */
 static void one_pass_is_one(void **state)
 {
@@ -794,18 +841,7 @@ static void one_pass_is_one(void **state)
     world_cube(&w);
     world_sheet(&w);
     pools_of_20(&w);
-    struct words words;
-    uint32_t said;
-    assert_int_equal(world_hear(&w, &words, &said), ZS_OK);
-    unsigned tris = 0, verts = 0;
-    const char *at = strstr(words.text, "max_tris "), *at2 = strstr(words.text, "max_verts ");
-    assert_true(at && at2 && sscanf(at + 9, "%u", &tris) == 1 && sscanf(at2 + 10, "%u", &verts) == 1);
-    w.config.max_tris = (uint16_t)tris;
-    w.config.max_verts = (uint16_t)verts;
-    struct picture p = picture_draw(&w.config, &w.scene, &w.camera);
-    assert_int_equal(p.err, ZS_OK);
-    assert_int_equal(p.stats.passes, 1);
-    picture_free(&p);
+    assert_int_equal(one_pass(&w, "a sheet"), 1);
 }
 
 /* ---- Errors ---------------------------------------------------------------------------------- */
@@ -1653,6 +1689,8 @@ MAKE(fragment_null, own.fragment = NULL)
 MAKE(copied_run, own.start = zs_shade_raw.start; own.run = zs_shade_raw.run; own.by_fragment = 0)
 MAKE(varyings_0, own.n_varyings = 0)
 MAKE(edges_in_faces, w->instance[0].depth_state = NULL)
+static const struct zs_points all_points = { ZS_POINTS(NULL, 8), .size = 3 };
+MAKE(points_in_faces, w->green.primitive = &all_points.primitive; edges_in_faces(w))
 
 static const struct mistake partial[] = {
     { "far in one of two", world_two, far_in_second, 0,
@@ -1706,12 +1744,142 @@ static const struct mistake partial[] = {
     { "text of size 9", with_overlay, text_of_size_9, 0, "resolve hook 0 changes no pixel" },
     { "a scale below 0", NULL, scale_below_0, ZS_ERR_RANGE, I0 " is refused: it is too large: 2 steps" },
     { "edges in faces", edges_before_faces, edges_in_faces, 0,
-      "instance 1: its lines lie in the surface of instance 0" },
+      "instance 1: its lines or points lie in the surface of instance 0, which hides parts: give instance 0 the" },
+    { "points in faces", edges_before_faces, points_in_faces, 0,
+      "instance 1: its lines or points lie in the surface of instance 0" },
 };
 
 static void parts_of_it_are_wrong(void **state)
 {
     CHECK_ALL(partial);
+}
+
+/* ---- The cause of a refusal, and no other ---------------------------------------------------- */
+
+static void too_many_lines(struct world *w)
+{
+    static const uint16_t side[13][2] = { { 0, 1 } };
+    const struct zs_lines lines = { ZS_LINES(side, 13) };
+    w->lines = lines;
+    w->red.primitive = &w->lines.primitive; /* the shader reads face_rgb */
+}
+
+static void lit_lines(struct world *w)
+{
+    with_lamps(w);
+    with_lines(w);
+    w->lit.material.primitive = &w->lines.primitive;
+    w->lamp.strength = 5 * ZS_Q16_ONE;
+}
+
+static void matcap(struct world *w)
+{
+    textured(w);
+    w->red.shader = &zs_shade_matcap;
+    w->cube.uv_bits = 2;
+}
+
+static void mipmap_9(struct world *w)
+{
+    textured(w);
+    w->red.shader = &zs_shade_mipmap;
+    w->texture.n_levels = 9;
+}
+
+/* Beyond far, too, what is out of range is refused. */
+static void wide_and_far(struct world *w)
+{
+    with_lines(w);
+    w->lines.width = 64;
+    w->camera.focal = (zs_uq32_32)20 << 32;
+    w->instance[0].pose.pos[2] = -(1 << 28);
+}
+
+static void wide_and_high(struct world *w)
+{
+    with_orthographic(w);
+    with_lines(w);
+    w->lines.width = 64;
+    w->camera.height = (zs_q48_16)1 << 46;
+}
+
+static const struct zs_depth_state far_shadow = { .bias = 5, .slope_bias = 2 };
+static void shadow_away(struct world *w)
+{
+    w->red.shader = &zs_shade_shadow;
+    w->instance[0].depth_state = &far_shadow;
+}
+
+static void perspective_map(struct world *w)
+{
+    static uint16_t key[8 * 8];
+    static uint32_t arena[4000];
+    static struct zs_shadow_map map = { .key = key, .w = 8, .h = 8 };
+    static struct zs_shadowed_material shadowed;
+    const struct zs_scene empty = { .n_instances = 0 };
+    const struct zs_config c = { .width = 8, .height = 8, .strip_h = 8, .max_tris = 9, .max_verts = 9,
+                                 .depth = &zs_depth_recip };
+    struct zs_renderer r;
+    struct zs_camera at;
+    assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+    assert_int_equal(zs_camera_perspective(&at, ZS_DEGREES(60), 8, 500, 12000), ZS_OK);
+    assert_int_equal(zs_shadow_map_draw(&map, &r, &empty, &at), ZS_OK);
+    shadowed.material = w->red;
+    shadowed.material.shader = &zs_shade_shadowed_flat;
+    shadowed.map = &map;
+    w->instance[0].material = &shadowed.material;
+}
+
+MAKE(lines_null, with_lines(w); w->lines.line = NULL)
+MAKE(pool_of_2, w->config.max_tris = 2; w->config.max_verts = 6)
+MAKE(far_close, w->camera.z_far = w->camera.z_near + 999)
+MAKE(far_beyond, w->camera.z_far = ((zs_q48_16)ZS_FAR_MAX + 1) * 65536)
+MAKE(low, with_orthographic(w); w->camera.height = 8)
+MAKE(transparent_1, w->config.method = &zs_method_transparent; w->config.max_tris = 1)
+MAKE(raycast_3, w->config.method = &zs_method_raycast; w->config.max_tris = 3; w->config.max_verts = 5)
+
+#define ENDS "near is at most 2^29, far 2^44, far - near at least far / 65536.\n"
+static const struct mistake causes[] = {
+    { "lines, small pools", with_lines, pool_of_2, ZS_OK,
+      "the frame takes * passes; one needs max_tris 8 (it is 2) max_verts 24 (it is 6).\n" },
+    { "more lines than triangles", NULL, too_many_lines, ZS_ERR_MESH,
+      I0 " is refused: it has 13 lines or points, and its mesh 12 triangles, of which its shader reads the colours: "
+      "zs_shade_plain takes any.\n" },
+    { "lines NULL", NULL, lines_null, ZS_ERR_NULL, I0 " is refused: its lines are NULL: ZS_LINES sets them.\n" },
+    { "lit lines", NULL, lit_lines, ZS_ERR_RANGE,
+      I0 " is refused: its material has a field out of range: lamps, flags, a shine that zs_shine_set has not set, "
+      "or a shadow map too fine for its size.\n" },
+    { "matcap", NULL, matcap, ZS_ERR_MESH,
+      I0 " is refused: mesh.uv_bits is 2, and its texture's log2_w 2, log2_h 2: its shader takes more bits than "
+      "both, 15 at most.\n" },
+    { "nine levels", NULL, mipmap_9, ZS_ERR_TEXTURE,
+      I0 " is refused: its texture's log2_w is 2, log2_h 2, clamp 0, n_levels 9: it has no room for so many levels "
+      "(zs_filter.h).\n" },
+    { "wide lines, far away", NULL, wide_and_far, ZS_ERR_RANGE,
+      I0 " is refused: its lines or points reach 536870912 world units beyond it: for their width, the camera's focal "
+      "length of 20 px is too short, or its height too large.\n" },
+    { "wide lines, orthographic", NULL, wide_and_high, ZS_ERR_RANGE,
+      I0 " is refused: its lines or points reach 536870912 world units beyond it" },
+    { "a shadow's bias", NULL, shadow_away, ZS_ERR_RANGE,
+      I0 " is refused: its depth_state has .bias 5, .slope_bias 2, .read_only 0, .func 0: its shader takes a bias "
+      "below 0 alone.\n" },
+    { "a perspective map", NULL, perspective_map, ZS_ERR_CAMERA,
+      I0 " is refused: its shadow map was drawn by a perspective camera: zs_shade_shadowed_lit takes those, and its "
+      "shader takes orthographic ones.\n" },
+    { "far - near", NULL, far_close, ZS_ERR_CAMERA, "the camera is refused: near = 1000 and far = 1000: " ENDS },
+    { "far, the most", NULL, far_beyond, ZS_ERR_CAMERA,
+      "the camera is refused: near = 1000 and far = 17592186044417: " ENDS },
+    { "a low height", NULL, low, ZS_ERR_RANGE,
+      "the camera is refused: its height is 0, too small beside near = 1000: was 8 * 65536 meant?\n" },
+    { "transparent", NULL, transparent_1, ZS_ERR_SIZE, "for config.method, max_tris is 1: it takes 2 to 65534.\n" },
+    { "raycast", NULL, raycast_3, ZS_ERR_SIZE,
+      "for config.method, max_tris is 3: it takes 4 to 65534.\n"
+      "for config.method, max_verts is 5: it takes 6 to 65534.\n", 2 },
+};
+
+static void causes_are_right(void **state)
+{
+    CHECK_ALL(causes);
 }
 
 /* A large picture without accelerators is slow. */
@@ -2111,6 +2279,77 @@ static int right_case(uint64_t seed)
     return err == ZS_OK && said == 0 ? 1 : case_wrong("%s\n%s", zs_error_string(err), words.text);
 }
 
+/* ---- Pools of what is not a mesh's triangles alone ------------------------------------------- */
+
+#define POOLS_METHOD(name_, depth_, tris_, verts_, records_) { &zs_method_##name_, depth_, records_ },
+static const struct {
+    const struct zs_method *method;
+    const struct zs_depth *depth; /* NULL: any with depth memory */
+    int records;
+} pools_method[] = { { NULL, NULL, 0 }, { &zs_method_transparent, NULL, 0 }, ZS_METHOD_EACH(POOLS_METHOD) };
+static unsigned pools_named[4]; /* of triangles, lines, dashes, points */
+
+/* Up to three of a shape, by triangles in any order, lines, dashes or points, by any method, with accelerators or none,
+ * partly cut by near, far and the frame, in small pools: those that a sentence names take it in one pass. */
+static int pools_case(uint64_t seed)
+{
+    static struct shape shape;
+    static struct zs_mesh_edge edge[3 * SHAPE_TRIS];
+    static uint16_t line[3 * SHAPE_TRIS][2];
+    struct prng p = { seed };
+    struct world w;
+    struct zs_points points = { ZS_POINTS(NULL, 0), .size = 3 };
+    world_cube(&w);
+    random_shape(&p, &shape, 3);
+    for (uint32_t t = shape.mesh.n_tris; --t && seed % 3;)
+        for (uint32_t k = 0, other = prng_pick(&p, t + 1u); k < 3; k++) {
+            const uint16_t was = shape.tri[t][k];
+            shape.tri[t][k] = shape.tri[other][k];
+            shape.tri[other][k] = was;
+        }
+    shape.mesh.radius += 2;
+    const struct zs_lines lines = { ZS_LINES(line, 0), .width = (uint8_t)prng_range(&p, 1, 3),
+                                    .on = (uint8_t)prng_range(&p, 4, 9), .off = (uint8_t)prng_range(&p, 4, 9) };
+    const uint32_t kind = (uint32_t)seed % 4u;
+    w.lines = lines;
+    w.lines.on = kind == 2 ? w.lines.on : 0;
+    w.lines.primitive.n =
+        zs_edges_choose(line, 3 * SHAPE_TRIS, edge, (uint32_t)zs_edges_of(edge, &shape.mesh), &shape.mesh,
+                        ZS_EDGE_ALL, 0, NULL, NULL);
+    points.primitive.n = shape.mesh.n_verts;
+    w.red.primitive = kind == 0 ? NULL : kind == 3 ? &points.primitive : &w.lines.primitive;
+    w.red.shader = kind ? &zs_shade_plain : &zs_shade_flat;
+    w.red.cull = (uint8_t)prng_pick(&p, 3);
+    w.scene.n_instances = 1 + prng_pick(&p, 3);
+    const int32_t radius = shape.mesh.radius;
+    for (uint32_t i = 0; i < w.scene.n_instances; i++) {
+        w.instance[i] = w.instance[0];
+        w.instance[i].mesh = &shape.mesh;
+        zs_pose_turn(&w.instance[i].pose, (zs_turn)prng_next(&p), (zs_turn)prng_next(&p), 0);
+        for (int k = 0; k < 3; k++)
+            w.instance[i].pose.pos[k] = either(&p, radius);
+    }
+    static const int32_t middle[3] = { 0, 0, 0 };
+    const int32_t distance = radius / 4 * prng_range(&p, 1, 16), near = prng_range(&p, 1, distance);
+    CASE_CHECK(zs_camera_perspective(&w.camera, ZS_DEGREES(60), H, near, distance + radius) == ZS_OK);
+    CASE_CHECK(zs_camera_orbit(&w.camera, middle, distance, (zs_turn)prng_next(&p), (int16_t)either(&p, 16000)) ==
+               ZS_OK);
+    const uint32_t way = prng_pick(&p, sizeof pools_method / sizeof pools_method[0]);
+    w.config.method = pools_method[way].method;
+    if (pools_method[way].depth)
+        w.config.depth = pools_method[way].depth;
+    w.config.fast = prng_pick(&p, 2) ? w.config.fast : NULL;
+    w.config.strip_h = (uint16_t)prng_range(&p, 4, H);
+    const int32_t least = pools_method[way].records ? 90 : 6; /* with less, they take long */
+    w.config.max_tris = (uint16_t)prng_range(&p, least, 2 * least + 50);
+    w.config.max_verts = (uint16_t)prng_range(&p, least, 2 * least + 50);
+    char name[48];
+    (void)snprintf(name, sizeof name, "kind %u, method %u", kind, way);
+    const int is = one_pass(&w, name);
+    pools_named[kind] += is == 1;
+    return is != 0;
+}
+
 /* ---- What is asked changes nothing ------------------------------------------------------------ */
 
 static uint16_t glass_px[W * H];
@@ -2304,18 +2543,23 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(parts_are_wrong),
     cmocka_unit_test(it_is_slow),
     cmocka_unit_test(one_pass_is_one),
+    cmocka_unit_test(no_pool_is_enough),
     cmocka_unit_test(errors_name_the_thing),
     cmocka_unit_test(more_mistakes),
     cmocka_unit_test(sizes_are_wrong),
     cmocka_unit_test(more_is_refused),
     cmocka_unit_test(set_up_is_refused),
     cmocka_unit_test(parts_of_it_are_wrong),
+    cmocka_unit_test(causes_are_right),
     cmocka_unit_test(damage_tracking_is_explained),
     cmocka_unit_test(no_accelerators),
     cmocka_unit_test(scenes_are_right),
     cmocka_unit_test(examples_are_right),
     cmocka_unit_test(unusual_is_right),
     CASES_TEST(random_scenes_are_right, right_case, 400),
+    CASES_COUNTS(named_pools_suffice, pools_case, 96, { "of triangles", &pools_named[0], 8 },
+                 { "of lines", &pools_named[1], 8 }, { "of dashes", &pools_named[2], 10 },
+                 { "of points", &pools_named[3], 8 }),
     cmocka_unit_test(asking_changes_nothing),
     cmocka_unit_test(one_instance),
     cmocka_unit_test(at_most_16),

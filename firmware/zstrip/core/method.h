@@ -26,7 +26,9 @@ struct zs_method {
                        pass before those of the next one */
     uint8_t buffer; /* 1: opaque triangles are drawn as zs_method_buffer does; layers (.layer) are
                        not */
-    uint8_t once;   /* 1: of each pixel, only the nearest triangle's colour is computed */
+    /* once: 1: of each pixel, only the nearest triangle's colour is computed. records: 1: of the
+     * triangle pool it keeps a part for itself. Of 5/2 n + 64, n are triangles at least */
+    uint8_t once, records;
 };
 
 /* zs_method.list in scene order. */

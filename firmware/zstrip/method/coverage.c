@@ -78,4 +78,5 @@ const struct zs_method zs_method_coverage = { .begin = coverage_begin,
                                               .strip = coverage_strip,
                                               .full = zs_order_full,
                                               .list = zs_order_list,
-                                              .once = 1 };
+                                              .once = 1,
+                                              .records = 1 };

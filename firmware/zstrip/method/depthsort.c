@@ -35,4 +35,5 @@ static void depthsort_strip(struct zs_renderer *r)
 const struct zs_method zs_method_depthsort = { .begin = depthsort_begin,
                                                .strip = depthsort_strip,
                                                .full = zs_order_full,
-                                               .list = zs_order_list };
+                                               .list = zs_order_list,
+                                               .records = 1 };

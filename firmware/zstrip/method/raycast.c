@@ -197,5 +197,6 @@ static int ray_begin(struct zs_renderer *r)
 }
 
 const struct zs_method zs_method_raycast = {
-    .begin = ray_begin, .strip = ray_strip, .full = ray_full, .list = ray_list, .once = 1
+    .begin = ray_begin, .strip = ray_strip, .full = ray_full, .list = ray_list, .once = 1,
+    .records = 1
 };

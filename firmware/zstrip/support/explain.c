@@ -8,20 +8,21 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/bin.h"
 #include "core/cold.h"
 #include "core/damage.h"
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/method.h"
+#include "core/walk.h"
 #include "support/explain.h"
 #include "zs_damage.h"
+#include "zs_shader.h"
 
 #define UNUSUAL 0x5a4bu    /* RGB565, the background while pixels are looked at */
 #define PASSES_MANY 8u     /* a frame in more passes than this is slow */
 #define PIXELS_MANY 16384u /* a frame of more pixels, or ... */
 #define TRIS_MANY 1000u    /* ... triangles, gains much from accelerators */
-#define PIECES 6u          /* triangles that clipping can add to one */
-#define CORNERS 9u         /* vertices of those */
 #define COLUMNS_MAX 32u    /* of zs_damage_compare */
 
 /* ---- Frames that are looked at --------------------------------------------------------------- */
@@ -105,27 +106,90 @@ static void say_filled(struct zs_explainer *e)
 
 /* ---- Slow ------------------------------------------------------------------------------------ */
 
+/* What pools have to hold for one walk over a frame. */
+struct need {
+    uint64_t tris, verts;
+    uint32_t most; /* vertices of a mesh that are looked up by their numbers */
+};
+
+/* Empty the pools, and count what was in them beside vertices of meshes. */
+static void count_full(struct zs_renderer *r)
+{
+    struct need *const n = r->method_state;
+    n->tris += r->n_tris;
+    for (uint32_t v = 0; v < r->n_verts; v++)
+        n->verts += r->vert_src[v] == ZS_NO_SOURCE; /* a clipped polygon's, or a line's */
+    zs_bin_empty(r);
+}
+
+static void count_strip(struct zs_renderer *r)
+{
+    zs_walk(r, 1);
+    count_full(r);
+}
+
+/* Bins all of a frame as if it were one strip, and draws nothing. */
+static const struct zs_method counting = { .strip = count_strip, .full = count_full };
+
+/* Of a frame that zs_frame_begin accepts. */
+static ZS_NOINLINE void count_need(struct zs_explainer *e, struct need *n)
+{
+    struct zs_renderer *const r = e->r;
+    const struct zs_method *const method = r->config.method;
+    const uint32_t strip_mul = r->strip_mul;
+    struct zs_scene scene = *e->scene;
+    struct zs_bounds b;
+    struct zs_strip strip;
+    scene.n_resolves = 0;
+    r->refit = 1;
+    (void)zs_frame_begin(r, &scene, e->camera);
+    /* looks no vertex up in pools that hold all; meshes of few triangles may do without it */
+    const int batch = r->batch != 0;
+    r->batch = 0;
+    r->clusters_hooks = 0;
+    r->tiles = 0;
+    for (uint32_t i = 0; i < scene.n_instances; i++) {
+        const struct zs_instance *const in = &scene.instance[i];
+        if (zs_cull_walk(&b, r, i))
+            continue;
+        n->verts += in->mesh->n_verts;
+        if (!batch || in->material->primitive || in->material->shader->place ||
+            in->mesh->n_tris <= 64u)
+            n->most = zs_maxu32(n->most, in->mesh->n_verts);
+    }
+    r->config.method = &counting;
+    r->method_state = n;
+    r->strip_mul = 0; /* all rows are strip 0's */
+    (void)zs_frame_strip(r, &strip);
+    (void)zs_frame_end(r);
+    r->config.method = method;
+    r->method_state = 0;
+    r->strip_mul = strip_mul;
+    r->refit = 1;
+}
+
 /* Say which pool is too small, and what one pass takes. */
 static void say_passes(struct zs_explainer *e, const struct zs_stats *s)
 {
     const struct zs_config *c = &e->r->config;
-    const uint64_t clipped = s->tris_clipped;
-    const uint32_t max_tris = c->max_tris + e->r->parts_tris; /* of the pool (fast/parts.c) */
-    uint64_t verts = CORNERS * clipped, tris = s->tris_drawn + PIECES * clipped;
-    for (uint32_t i = 0; i < e->scene->n_instances; i++) {
-        struct zs_bounds b;
-        zs_explain_bounds(e, i, &b);
-        if (!zs_cull_sphere(&b, &e->r->camera, &e->r->view))
-            verts += e->scene->instance[i].mesh->n_verts;
+    struct need n = { 0, 0, 0 };
+    count_need(e, &n);
+    if (c->method->records)
+        n.tris = n.tris * 5u / 2u + 64u;
+    /* numbers that share an entry of the map would be transformed again and again */
+    if (n.verts <= ZS_POOL_MAX && zs_bin_mask((uint32_t)n.verts) + 1u < n.most)
+        n.verts = 2u * (zs_bin_mask(n.most - 1u) + 1u);
+    ZS_PIECE(e, "the frame takes % passes; ", s->passes);
+    if (n.tris > ZS_POOL_MAX || n.verts > ZS_POOL_MAX) {
+        ZS_SAY(e, "pools of % do not hold it in one: larger ones take fewer.", ZS_POOL_MAX);
+        return;
     }
-    ZS_PIECE(e, "the frame takes % passes; one needs", s->passes);
-    if (tris > max_tris)
-        ZS_PIECE(e, " max_tris % (it is %)", (int64_t)(tris < ZS_POOL_MAX ? tris : ZS_POOL_MAX),
-                 max_tris);
-    if (verts > c->max_verts)
-        ZS_PIECE(e, " max_verts % (it is %)", (int64_t)(verts < ZS_POOL_MAX ? verts : ZS_POOL_MAX),
-                 c->max_verts);
-    ZS_SAY(e, tris > max_tris || verts > c->max_verts ? "." : " larger pools.");
+    ZS_PIECE(e, "one needs");
+    if (n.tris > c->max_tris)
+        ZS_PIECE(e, " max_tris % (it is %)", (int64_t)n.tris, c->max_tris);
+    if (n.verts > c->max_verts)
+        ZS_PIECE(e, " max_verts % (it is %)", (int64_t)n.verts, c->max_verts);
+    ZS_SAY(e, ".");
 }
 
 /* The promise that accelerators change nothing rests on what a shader says of itself. */

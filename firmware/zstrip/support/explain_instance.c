@@ -283,8 +283,8 @@ static void say_lines(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
             was->depth_state || (state && (state->func || state->bias < 0)))
             continue;
         ZS_SAY(e,
-               "instance %: its lines lie in the surface of instance %, which hides parts of them: "
-               "give instance % the depth_state ZS_HIDDEN_LINE_STATE.",
+               "instance %: its lines or points lie in the surface of instance %, which hides "
+               "parts: give instance % the depth_state ZS_HIDDEN_LINE_STATE.",
                i, k, k);
         break;
     }

@@ -4,6 +4,7 @@
  */
 #include "core/cold.h"
 #include "core/frame.h"
+#include "core/method.h"
 #include "core/rotation.h"
 #include "core/usual.h"
 #include "support/explain.h"
@@ -49,8 +50,12 @@ static void say_camera(struct zs_explainer *e, int err)
         ZS_SAY(e, "its height is $: zs_camera_orthographic sets it.", c->height);
     else if (!zs_rotation_ok(c->rot))
         ZS_SAY(e, "rot is no rotation: zs_camera_look_at sets it.");
-    else if (!say_pos(e, "pos", c->pos))
-        say_error(e, err);
+    else if (!say_pos(e, "pos", c->pos) && err == ZS_ERR_RANGE)
+        ZS_SAY(e, "its height is $, too small beside near = $: was % * 65536 meant?", c->height,
+               c->z_near, c->height);
+    else if (err != ZS_ERR_RANGE)
+        ZS_SAY(e, "near = $ and far = $: near is at most 2^29, far 2^44, far - near at least "
+                  "far / 65536.", c->z_near, c->z_far);
 }
 
 /* What is wrong without any instance. */
@@ -101,68 +106,108 @@ static int say_null(struct zs_explainer *e, const struct zs_instance *in)
     return field != 0;
 }
 
-/* Return 1 if an orthographic camera's height is too little for an instance of that size, or as far
- * away as it is: a sub-pixel is below 2^-28 of it. */
-static int too_low(const struct zs_explainer *e, const struct zs_instance *in, uint64_t scale)
+/* What its shader's check says of an instance. */
+static int shader_error(const struct zs_explainer *e, const struct zs_instance *in)
 {
-    const struct zs_camera *const c = &e->r->camera;
-    int64_t reach = (int64_t)((in->mesh->radius + 1u) * (scale >> 16) >> 16);
-    for (int k = 0; k < 3; k++) {
-        const int64_t away = zs_size64((int64_t)in->pose.pos[k] - c->pos[k]);
-        reach = reach < away ? away : reach;
-    }
-    return c->height < reach * e->r->config.height >> 4;
+    const struct zs_shader *const shader = in->material->shader;
+    return shader->check ? shader->check(in, &e->r->config) : ZS_OK;
 }
 
+/* Lines or points that are refused by what is drawn beyond their mesh. */
+static void say_wide(struct zs_explainer *e, const struct zs_instance *in)
+{
+    struct zs_camera *const c = &e->r->camera;
+    const zs_uq32_32 focal = c->focal;
+    const zs_q48_16 height = c->height;
+    struct zs_bounds b;
+    c->focal = ZS_FOCAL_MAX; /* of a camera for which a px is next to nothing */
+    c->height = 0;
+    const int err = zs_cull_bounds(&b, e->r, in);
+    c->focal = focal;
+    c->height = height;
+    ZS_SAY(e,
+           err ? "the width of its lines, or the size of its points, is more than 64 px."
+               : "its lines or points reach % world units beyond it: for their width, the camera's "
+                 "focal length of $ px is too short, or its height too large.",
+           ZS_WORLD_MAX, (int64_t)(focal >> 16));
+}
+
+/* Causes are left out one by one. */
 static void say_range(struct zs_explainer *e, const struct zs_instance *in)
 {
-    const struct zs_pose *const pose = &in->pose;
+    const struct zs_depth_state *const state = in->depth_state;
     const uint64_t scale = zs_usual_scale(in); /* q32_32 */
-    if (!zs_rotation_ok(zs_usual_rotation(pose->rot)))
+    struct zs_material material = *in->material;
+    struct zs_instance stateless = *in, bare = *in; /* without a state; without lines or points */
+    struct zs_bounds b;
+    stateless.depth_state = 0;
+    material.primitive = 0;
+    bare.material = &material;
+    if (!zs_rotation_ok(zs_usual_rotation(in->pose.rot)))
         ZS_SAY(e, "pose.rot is no rotation: its elements are q2_30; zs_pose_turn sets it.");
-    else if (say_pos(e, "pose.pos", pose->pos))
+    else if (say_pos(e, "pose.pos", in->pose.pos))
         return;
-    else if (in->depth_state && in->depth_state->func > ZS_DEPTH_ALWAYS)
-        ZS_SAY(e, "depth_state.func is %.", in->depth_state->func);
-    else if ((in->mesh->radius + 1u) * (scale >> 16) >> 16 >= (uint64_t)ZS_WORLD_MAX || scale >> 47)
+    else if (state && state->func > ZS_DEPTH_ALWAYS)
+        ZS_SAY(e, "depth_state.func is %.", state->func);
+    else if (zs_cull_bounds(&b, e->r, &bare))
         ZS_SAY(e,
                "it is too large: % steps, of $ world units each; steps of 32767 units are the "
                "most, and a radius of % units; 1 is ZS_Q16_ONE in mesh.scale and pose.scale.",
                in->mesh->radius, (int64_t)(scale >> 16), ZS_WORLD_MAX);
-    else if (e->r->camera.projection == ZS_ORTHOGRAPHIC && too_low(e, in, scale))
+    else if (shader_error(e, &stateless))
+        ZS_SAY(e, "its material has a field out of range: lamps, flags, a shine that zs_shine_set "
+                  "has not set, or a shadow map too fine for its size.");
+    else if (shader_error(e, in))
+        ZS_SAY(e,
+               "its depth_state has .bias %, .slope_bias %, .read_only %, .func %: its shader "
+               "takes a bias below 0 alone.",
+               state->bias, state->slope_bias, state->read_only, state->func);
+    else if (zs_cull_bounds(&b, e->r, in))
+        say_wide(e, in);
+    else
         ZS_SAY(e, "the camera's height is $, too small for it: was % * 65536 meant?",
                e->r->camera.height, e->r->camera.height);
-    else if (in->material->primitive)
-        ZS_SAY(e, "the width of its lines, or the size of its points, is more than 64 px.");
-    else
-        ZS_SAY(e, "its material has a field out of range: lamps, flags, or a shine that "
-                  "zs_shine_set has not set.");
 }
 
 /* err: ZS_ERR_MESH or ZS_ERR_NULL. */
 static void say_mesh(struct zs_explainer *e, const struct zs_instance *in, int err)
 {
     const struct zs_mesh *const mesh = in->mesh;
+    const struct zs_texture *const x = in->material->texture;
+    struct zs_mesh fine = *mesh;
+    struct zs_instance other = *in;
+    other.mesh = &fine;
+    fine.uv_bits = 15;
     if (mesh->n_verts > 65535u) {
         ZS_SAY(e, "mesh.n_verts is %, and 65535 is the most.", mesh->n_verts);
     } else if (in->material->cull > ZS_CULL_NONE) {
         ZS_SAY(e, "material.cull is %.", in->material->cull);
     } else if (mesh->uv && mesh->uv_bits > 15u) {
         ZS_SAY(e, "mesh.uv_bits is %, and 15 is the most.", mesh->uv_bits);
-    } else if (in->material->texture && err == ZS_ERR_NULL && !in->material->texture->texel) {
+    } else if (x && err == ZS_ERR_NULL && !x->texel) {
         ZS_SAY(e, "its texture's texel is NULL.");
-    } else if (in->material->texture && err == ZS_ERR_NULL && !in->material->texture->format) {
+    } else if (x && err == ZS_ERR_NULL && !x->format) {
         ZS_SAY(e, "its texture's format is NULL: take &zs_texel_565, or another.");
-    } else if (in->material->texture && err == ZS_ERR_NULL && !in->material->texture->palette &&
-               in->material->texture->format != &zs_texel_565) {
+    } else if (x && err == ZS_ERR_NULL && !x->palette && x->format != &zs_texel_565) {
         ZS_SAY(e, "its texture's palette is NULL.");
+    } else if (in->material->primitive && !shader_error(e, in)) {
+        ZS_SAY(e,
+               err == ZS_ERR_NULL ? "its lines are NULL: ZS_LINES sets them."
+                                  : "it has % lines or points, and its mesh % triangles, of which "
+                                    "its shader reads the colours: zs_shade_plain takes any.",
+               in->material->primitive->n, mesh->n_tris);
+    } else if (x && err == ZS_ERR_MESH && !shader_error(e, &other)) {
+        ZS_SAY(e,
+               "mesh.uv_bits is %, and its texture's log2_w %, log2_h %: its shader takes more "
+               "bits than both, 15 at most.",
+               mesh->uv_bits, x->log2_w, x->log2_h);
     } else {
         ZS_PIECE(e, "its shader needs what is NULL:");
         if (!mesh->normal)
             ZS_PIECE(e, " mesh.normal,");
         if (!mesh->uv)
             ZS_PIECE(e, " mesh.uv,");
-        if (!in->material->texture)
+        if (!x)
             ZS_PIECE(e, " material.texture,");
         ZS_SAY(e, err == ZS_ERR_NULL ? " or more of its material (lighting, a map)."
                                      : " or one of these.");
@@ -188,9 +233,19 @@ static void say_instance(struct zs_explainer *e, uint32_t i, int err)
                in->material->shader->n_varyings, e->r->config.varyings);
     else if (err == ZS_ERR_TEXTURE && texture)
         ZS_SAY(e,
-               "its texture's log2_w is %, log2_h %, clamp %; the first two are logarithms, 0 "
-               "to 10.",
-               texture->log2_w, texture->log2_h, texture->clamp);
+               texture->n_levels > 1 && texture->clamp <= (ZS_CLAMP_U | ZS_CLAMP_V) &&
+                       zs_maxu32(texture->log2_w, texture->log2_h) <= ZS_TEXTURE_LOG2_MAX
+                   ? "its texture's log2_w is %, log2_h %, clamp %, n_levels %: it has no room for "
+                     "so many levels (zs_filter.h)."
+                   : "its texture's log2_w is %, log2_h %, clamp %; the first two are logarithms, "
+                     "0 to 10.",
+               texture->log2_w, texture->log2_h, texture->clamp, texture->n_levels);
+    else if (err == ZS_ERR_CAMERA)
+        ZS_SAY(e, "its shadow map was drawn by a perspective camera: zs_shade_shadowed_lit takes "
+                  "those, and its shader takes orthographic ones.");
+    else if (err == ZS_ERR_NEAR && e->r->camera.projection == ZS_ORTHOGRAPHIC)
+        ZS_SAY(e, "near = $ and far = $ are too close beside its distance: move far out.",
+               e->r->camera.z_near, e->r->camera.z_far);
     else if (err == ZS_ERR_DEPTH)
         ZS_SAY(e, "its shader does not go with config.method, or with config.depth: the header of "
                   "either says which do.");
@@ -244,6 +299,18 @@ static void say_field(struct zs_explainer *e, const char *name, uint32_t value, 
     ZS_SAY(e, " is %: it takes % to %.", value, least, most);
 }
 
+/* Say it if config.method takes more of a pool, whatever the other one is. */
+static void say_pool(struct zs_explainer *e, const char *name, uint16_t *pool, uint16_t *other)
+{
+    const uint16_t is = *pool, was = *other;
+    *other = ZS_POOL_MAX;
+    while (e->r->config.method->begin(e->r) && *pool < ZS_POOL_MAX)
+        ++*pool;
+    say_field(e, name, is, *pool, ZS_POOL_MAX);
+    *pool = is;
+    *other = was;
+}
+
 static void say_config(struct zs_explainer *e, const struct zs_config *c)
 {
     say_field(e, "config.width", c->width, 1, ZS_SIZE_MAX);
@@ -281,6 +348,10 @@ uint32_t zs_explain_init_build(struct zs_renderer *r, const struct zs_config *co
     if (err == ZS_ERR_DEPTH && config->method && !e.said)
         ZS_SAY(&e,
                "config.method does not take this config.depth: zs_method.h says which it takes.");
+    if (err == ZS_ERR_SIZE && config->method && !e.said) {
+        say_pool(&e, "for config.method, max_tris", &r->config.max_tris, &r->config.max_verts);
+        say_pool(&e, "for config.method, max_verts", &r->config.max_verts, &r->config.max_tris);
+    }
     if (!e.said) {
         ZS_PIECE(&e, "zs_init refuses: ");
         say_error(&e, err);
