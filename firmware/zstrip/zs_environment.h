@@ -97,7 +97,7 @@ int zs_mirror_camera(struct zs_camera *out, const struct zs_camera *camera,
  * read_only do not matter.
  *
  * Both passes have the same viewport. keep of the pass with the mask is 0, and its instances have
- * no depth state with a func other than ZS_DEPTH_LESS (else ZS_ERR_PASS). Under 16 depth bits, the
+ * no depth state with a func other than ZS_DEPTH_LESS (else ZS_ERR_PASS). With 16 depth bits, the
  * pass with the windows does not draw surfaces with the key 65534, that is, at the far plane. After
  * a pass with a mask, keys outside of the windows are 0: a later pass must not keep them, and hooks
  * that read keys (zs_target.depth) find that all is near there: fog (zs_fog.h) is seen in the
@@ -125,7 +125,8 @@ extern const struct zs_mask zs_mask_window;
  *         degrees). A px is that in the middle of the viewport. An image's rows are off by 2^-17 of
  *         its height besides.
  * Cost    Cortex-M3: see zs_sky_look.
- * zs_damage_track does not see that a sky changes: zs_invalidate when the camera turns. */
+ * zs_damage_track does not see that a sky changes: zs_invalidate when the camera turns. Skies hold
+ * pointers into themselves: do not copy or move one that is set. */
 struct zs_sky {
     struct zs_background background; /* scene.sky; the other fields belong to the library */
     const struct zs_texture *texture;

@@ -41,7 +41,7 @@ enum zs_fog_sky {
 
 #define ZS_FOG_LEVELS 64u
 
-/* 164 bytes. The fields of the first part are the caller's, 0 where they are not read. */
+/* 152 bytes. The fields of the first part are the caller's, 0 where they are not read. */
 struct zs_fog {
     uint16_t color;     /* RGB565 */
     uint8_t curve;      /* enum zs_fog_curve */
@@ -79,7 +79,8 @@ int zs_fog_changes(void *ctx, struct zs_rect *rect); /* all, when it is no longe
  * is behind a layer. Drawn under the depth buffer, zs_method_hiz and zs_method_transparent; other
  * methods draw without it. zs_layer_door needs none, as it writes keys.
  * layer  set (zs_layered_set)
- * fog    set (zs_fog_set); kept. With zs_layer_add the fog is black: it takes light away. */
+ * fog    set (zs_fog_set); kept; NULL: no fog again. With zs_layer_add the fog is black: it takes
+ *        light away. */
 struct zs_layered;
 void zs_layered_fog(struct zs_layered *layer, const struct zs_fog *fog);
 

@@ -39,7 +39,8 @@
 ZS_C_BEGIN
 
 #ifndef ZS_LIGHTS_MAX
-#define ZS_LIGHTS_MAX 4 /* lamps of a lighting, 0 .. 16 */
+#define ZS_LIGHTS_MAX 4 /* lamps of a lighting, 0 .. 16; the same for library and program, which
+                           zs_init cannot see */
 #endif
 
 enum zs_lamp_kind {
@@ -94,7 +95,9 @@ enum zs_lit_flags {
                               axis everywhere, which costs less. Orthographic cameras: the axis */
 };
 
-/* The material of the shaders below: an instance's `material` points to the first member. */
+/* The material of the shaders below: an instance's `material` points to the first member. A plain
+ * struct zs_material with one of them is wrong: it has no lighting, and the renderer cannot see
+ * that. */
 struct zs_lit_material {
     struct zs_material material;
     const struct zs_lighting *lighting; /* must be given */
@@ -104,16 +107,19 @@ struct zs_lit_material {
     uint8_t flags;                      /* enum zs_lit_flags */
 };
 
-/* Lit once for a face, at its centre; face_rgb or the material's colour. No varyings.
- * All of these refuse a frame (zs_frame_begin) with ZS_ERR_NULL: no lighting; ZS_ERR_RANGE or
+/* All shaders below refuse a frame (zs_frame_begin) with ZS_ERR_NULL: no lighting; ZS_ERR_RANGE or
  * ZS_ERR_VECTOR: as zs_lighting_check, an unknown flag, or a shine that zs_shine_set has not set;
- * ZS_ERR_MESH: no normals.
+ * ZS_ERR_MESH: no normals, where they are needed.
+ *
  * Costs are instructions on a Cortex-M3 (M0 in brackets), of one directional lamp. A face or vertex
  * takes 550 (1,030) without highlights, 660 (1,270) with them, 590 (1,080) with ZS_LIT_REFLECT,
  * 1,140 (2,470) with ZS_LIT_NEAR_VIEWER; of these, 475 (910) for no lamp at all. A point or spot
  * lamp takes 500 to 750 (1,400 to 1,700) in place of 80 (120); each further directional lamp with
  * highlights some 180. Flash, M3 -O2: 3.1 KB, and 0.7 for faces and vertices, 3.3 for pixels, 0.7
  * for textures, beside the shaders of shade/ that they are made of. */
+
+/* Lit once for a face, at its centre; face_rgb or the material's colour. No varyings, no normals of
+ * vertices. */
 extern const struct zs_shader zs_shade_lit_face;
 /* Lit at the vertices and interpolated (Gouraud); needs mesh.normal; vertex_rgb or the material's
  * colour. Normals need not have length 1; one that is 0 gets ambient light and emission. */

@@ -34,12 +34,12 @@
  *
  * Shaders: the face stage gets the line's number in place of a triangle's; where that triangle has
  * a vertex that there is not, its value is 0 instead. There may be no more
- * lines than the mesh has triangles, else ZS_ERR_MESH, unless the shader has no face stage, or is
- * zs_shade_plain, or zs_shade_raw and the mesh has no face_raw.
+ * lines or points than the mesh has triangles, else ZS_ERR_MESH, unless the shader has no face
+ * stage, or is zs_shade_plain, or zs_shade_raw and the mesh has no face_raw.
  * What zs_damage_track sees is the material, not what it points to: after a change of a struct
  * zs_lines or of its numbers, zs_invalidate, unless pose or camera have changed too.
- * Errors of zs_frame_begin: ZS_ERR_NULL (a pointer), ZS_ERR_RANGE (width; a line that reaches 2^29
- * world units beyond its mesh, which takes a focal length below 300 px), ZS_ERR_MESH.
+ * Errors of zs_frame_begin: ZS_ERR_NULL (a pointer), ZS_ERR_RANGE (width or size; a line that
+ * reaches 2^29 world units beyond its mesh, which takes a focal length below 300 px), ZS_ERR_MESH.
  * Cost on a Cortex-M3, in instructions: 3,200 a line of 7 to 10 px, most of them two set-ups; 2,300
  * with zs_shade_raw and ZS_FAST_RAW. A dash 3,400. A point of 3 px 2,800.
  *
@@ -92,13 +92,13 @@ struct zs_points {
 /* An edge: two vertices, and the triangles at its sides. Vertices in one place count as one. */
 struct zs_mesh_edge {
     uint16_t v[2];
-    uint16_t tri[2]; /* [1]: ZS_EDGE_NO_TRI where there is one triangle */
+    uint16_t tri[2]; /* [1]: ZS_EDGE_NO_TRI where there is one, or more than two */
 };
 #define ZS_EDGE_NO_TRI 65535u
 
 enum zs_edge_kind {
     ZS_EDGE_BORDER = 1,     /* one triangle, or more than two of them */
-    ZS_EDGE_CREASE = 2,     /* the normals differ by at least an angle */
+    ZS_EDGE_CREASE = 2,     /* the normals differ by more than an angle */
     ZS_EDGE_SILHOUETTE = 4, /* one side faces the eye, the other one does not */
     ZS_EDGE_SMOOTH = 8,     /* none of these */
     ZS_EDGE_ALL = 15
@@ -116,7 +116,8 @@ int32_t zs_edges_of(struct zs_mesh_edge *edge, const struct zs_mesh *mesh);
  * line      [room], memory of the caller; room for all edges always suffices.
  * n         the number of edges.
  * kinds     enum zs_edge_kind, or-ed.
- * crease    the angle, 0 .. ZS_DEGREES(180).
+ * crease    the angle, 0 .. ZS_DEGREES(180). Normals are rounded to 2^-15: for edges of exactly 45
+ *           degrees give 44.
  * instance  for ZS_EDGE_SILHOUETTE, and with ZS_EDGE_SMOOTH: its pose, scale and the mesh,
  * camera    seen from there; else both may be NULL, and no edge counts as silhouette.
  * Cost      two normals an edge: 3,300 instructions on a Cortex-M3, 560 with zs_mesh.face_normal.

@@ -41,7 +41,8 @@ int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle);
  *
  * fov_y     the vertical angle of view, 1 .. 32767: ZS_DEGREES(45).
  * height_px the height of the frame, or of the viewport that a pass draws into (zs_pass.h).
- * z_near, z_far  world units, 0 < near < far <= ZS_WORLD_MAX.
+ * z_near, z_far  world units, 0 < near < far <= ZS_WORLD_MAX. zs_frame_begin wants far - near >=
+ *           far / 65536, too.
  * Return    ZS_OK; ZS_ERR_CAMERA (one of them, or the focal length, is out of range): camera is
  *           untouched. */
 ZS_NODISCARD int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t height_px,
@@ -49,7 +50,7 @@ ZS_NODISCARD int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, 
 
 /* Set an orthographic camera at the origin that looks down -z.
  *
- * height  world units that the frame's height spans, > 0.
+ * height  world units that the frame's height spans, > 0; zs_frame_begin takes up to 2^30.
  * z_near, z_far  world units, -ZS_WORLD_MAX <= near < far <= ZS_WORLD_MAX.
  * Return  ZS_OK; ZS_ERR_CAMERA (one of them is out of range): camera is untouched. */
 ZS_NODISCARD int zs_camera_orthographic(struct zs_camera *camera, int32_t height, int32_t z_near,
@@ -74,8 +75,8 @@ ZS_NODISCARD int zs_camera_look_along(struct zs_camera *camera, const int32_t ey
  * distance  1 .. ZS_WORLD_MAX, world units.
  * yaw       0: the camera stands on the point's +z side; ZS_DEGREES(90): on its +x side.
  * pitch     -16383 .. 16383, a signed angle, 65536 to the turn: ZS_PITCH(20) raises the eye.
- * Return    ZS_OK; ZS_ERR_RANGE; ZS_ERR_VECTOR (pitch or distance out of range): camera is
- *           untouched. */
+ * Return    ZS_OK; ZS_ERR_RANGE (at, distance or the eye beyond the world); ZS_ERR_VECTOR (pitch,
+ *           or a distance below 1): camera is untouched. */
 ZS_NODISCARD int zs_camera_orbit(struct zs_camera *camera, const int32_t at[3], int32_t distance,
                                  zs_turn yaw, int16_t pitch);
 

@@ -160,7 +160,8 @@ struct zs_mesh {
     const uint16_t *face_raw;         /* [n_tris], RGB565, raw shading; NULL: the material's */
     uint32_t n_verts;                 /* 0 .. 65535 */
     uint32_t n_tris;                  /* any */
-    zs_uq16_16 scale;                 /* world units to a step; 0: one */
+    zs_uq16_16 scale;                 /* world units to a step; 0: one. Times pose.scale at most
+                                         32768; (radius + 1) times both at most 2^29 */
     int16_t center[3];                /* of a sphere around all vertices, steps */
     uint16_t radius;                  /* of that sphere, steps, rounded up; one that is too small
                                          makes parts disappear */
@@ -221,7 +222,10 @@ struct zs_material {
 /* Where something stands: x_world = rot * (scale * x) + pos. All fields 0: at the origin, not
  * rotated, at the mesh's own scale. */
 struct zs_pose {
-    zs_q2_30 rot[9];  /* row-major, orthonormal (zs_math.h sets it); all 0: no rotation */
+    /* Row-major; all 0: no rotation. A rotation: products of its rows are within 2^-20 of 1 and 0,
+     * it is right-handed; else ZS_ERR_RANGE. zs_math.h sets it, and turns it further: products that
+     * a program computes by itself drift out of this. */
+    zs_q2_30 rot[9];
     int32_t pos[3];   /* world units, |.| <= ZS_WORLD_MAX */
     zs_uq16_16 scale; /* ZS_Q16_ONE or 0: the mesh's own scale */
 };
@@ -257,8 +261,8 @@ struct zs_instance {
 
 /* One directional light. A channel becomes channel * (ambient + diffuse * max(0, normal . dir)), at
  * most full. All fields 0: the usual light. It is white and comes over the camera's left shoulder,
- * from (-1, 2, 2) / 3 in the camera's right, up and back, with ambient 1/4 and diffuse 3/4. For
- * darkness, give ambient 1. */
+ * from (-1, 2, 2) / 3 in the camera's right, up and back, with ambient 1/4 and diffuse 3/4. As
+ * soon as one field is not 0, all three count. For darkness, give ambient 1. */
 struct zs_light {
     zs_q2_30 dir[3]; /* unit, world axes, from the surface towards the light; a shorter one dims
                         diffuse */
@@ -316,8 +320,8 @@ enum zs_projection { ZS_PERSPECTIVE = 0, ZS_ORTHOGRAPHIC = 1 };
 
 /* zs_camera_* (zs_math.h) set cameras from angles and points. */
 struct zs_camera {
-    zs_q2_30 rot[9]; /* world to camera, row-major: rows are right, up, back; orthonormal; all 0: no
-                        rotation, the camera looks down -z */
+    zs_q2_30 rot[9]; /* world to camera, row-major: rows are right, up, back; a rotation as in
+                        struct zs_pose, else ZS_ERR_CAMERA; all 0: it looks down -z */
     int32_t pos[3];  /* the eye, world units, |.| <= ZS_WORLD_MAX */
     uint8_t projection; /* enum zs_projection */
     zs_uq32_32 focal;   /* perspective: focal length in pixels, 2^-16 .. 2^23 */

@@ -134,7 +134,8 @@ struct zs_shadow_map {
 
 /* Make casters of instances: the same in their places, without colours.
  *
- * out      [n]; lines and points (zs_lines.h) are left out. May not be `in`. What a shader makes
+ * out      [n]; lines and points (zs_lines.h) are left out, and what has no material or a `cull`
+ *          above 2. May not be `in`. What a shader makes
  *          of vertices (zs_shader.position) is not: a mesh is cast as it is.
  * Culling  as in the picture. A closed mesh may show the light its back faces in place of its front
  *          (out[k].material = &zs_shadow_caster[ZS_CULL_FRONT]): finely curved surfaces then have
@@ -152,18 +153,20 @@ uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in
  *          method and damage tracking. Its varyings are 0 for casters. Accelerators help.
  * casters  any scene; colours are drawn and dropped.
  * light    orthographic (zs_camera_orthographic, zs_camera_look_along); or perspective, at the
- *          lamp: at most 127 degrees wide and high, of a focal length below 8192 px; near 1/4096 to
- *          15/16 of far; 16 depth bits. What is beside its view, before near, or beyond 2 to 4
+ *          lamp: at most 126.8 degrees wide and high, of a focal length below 8192 px; near 1/4096
+ *          to 15/16 of far; 16 depth bits. What is beside its view, before near, or beyond 2 to 4
  *          times far, is lit; what is beyond far, or with its bias in the last bucket before it,
  *          throws no shadow.
  * After    zs_invalidate for the renderers of the picture: they do not see that the map changed.
  * Return   as zs_render; ZS_ERR_NULL; ZS_ERR_SIZE: the map is not as large as r's frame;
- *          ZS_ERR_DEPTH: another mapping, or a method; ZS_ERR_CAMERA: another perspective camera;
+ *          ZS_ERR_DEPTH: another mapping, or a method; ZS_ERR_CAMERA: another perspective camera,
+ *          or another number of depth bits for it;
  *          ZS_ERR_SEQUENCE: damage tracking is on. With an error the map cannot be used. */
 int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
                        const struct zs_scene *casters, const struct zs_camera *light);
 
-/* Set light->dir to where the map's light comes from. Its other fields stay. */
+/* Set light->dir to where the map's light comes from. ambient and diffuse stay; where both are 0,
+ * they become the usual light's, 1/4 and 3/4. */
 void zs_shadow_map_light(const struct zs_shadow_map *map, struct zs_light *light);
 
 /* The material of what may lie in shadow. */

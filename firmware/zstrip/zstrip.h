@@ -92,10 +92,13 @@ enum zs_err {
     ZS_ERR_NULL = -1,     /* a pointer that must be given is NULL */
     ZS_ERR_SIZE = -2,     /* frame, strip, pool or buffer count outside its range */
     ZS_ERR_ARENA = -3,    /* the arena is smaller than zs_arena_bytes() or not 4-byte aligned */
-    ZS_ERR_DEPTH = -4,    /* depth bits outside 8..16, or a mapping that this camera cannot take */
+    ZS_ERR_DEPTH = -4,    /* depth bits outside 8..16, or a mapping that this camera, a method or a
+                             shader cannot take */
     ZS_ERR_CAMERA = -5,   /* near, far, focal length, height or rotation outside its range */
-    ZS_ERR_RANGE = -6,    /* a position, scale, extent or light that the integers cannot hold */
-    ZS_ERR_MESH = -7,     /* a mesh lacks what its shader reads, or has too many vertices */
+    ZS_ERR_RANGE = -6,    /* a position, scale, extent or light that the integers cannot hold; a
+                             pose's matrix that is no rotation; an unknown depth function */
+    ZS_ERR_MESH = -7,     /* a mesh lacks what its shader reads, or has too many vertices; an
+                             unknown `cull` */
     ZS_ERR_SEQUENCE = -8, /* begin, strip and end called out of order */
     ZS_ERR_VARYINGS = -9, /* the shader needs more values a vertex than config.varyings */
     ZS_ERR_VECTOR = -10,  /* a direction of length 0, or two directions that are parallel */

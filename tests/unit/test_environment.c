@@ -309,6 +309,7 @@ static void wrong_skies_are_refused(void **state)
     (void)state;
     assert_int_equal(zs_sky_panorama(&sky, &image, 100, 0), ZS_ERR_NULL); /* no palette */
     assert_int_equal(zs_sky_panorama(&sky, NULL, 100, 0), ZS_ERR_NULL);
+    assert_int_equal(zs_sky_panorama(NULL, &image, 100, 0), ZS_ERR_NULL);
     image.format = &zs_texel_565;
     image.log2_w = 11;
     assert_int_equal(zs_sky_panorama(&sky, &image, 100, 0), ZS_ERR_TEXTURE);

@@ -315,8 +315,15 @@ static int fog_case(uint64_t seed)
     const struct zs_scene before = { .instance = front, .n_instances = 2 };
     struct picture under = picture_draw(&s.config, &behind, &s.camera);
     CASE_CHECK(zs_layered_set(&layer, &zs_shade_lit, &zs_layer_mix, alpha) == ZS_OK);
-    zs_layered_fog(&layer, &fog);
     s.material.material.shader = &layer.shader;
+    struct picture clear = drawn(&s, &p, &zs_method_transparent, 0);
+    zs_layered_fog(&layer, &fog);
+    zs_layered_fog(&layer, NULL); /* no fog again */
+    struct picture cleared = drawn(&s, &p, &zs_method_transparent, 0);
+    CASE_CHECK(clear.err == ZS_OK && picture_same(&clear, &cleared, "without fog"));
+    picture_free(&clear);
+    picture_free(&cleared);
+    zs_layered_fog(&layer, &fog);
     const struct zs_pass pass[2] = {
         { .scene = &behind, .camera = &s.camera, .early = 1 },
         { .scene = &before, .camera = &s.camera, .keep = ZS_KEEP_COLOR | ZS_KEEP_DEPTH }

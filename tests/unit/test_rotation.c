@@ -521,6 +521,24 @@ static int wander_case(uint64_t seed)
     return 1;
 }
 
+/* A rotation in units of 2^-15, as one may have it from another library, is made that rotation in 2^-30. */
+static void short_matrices_keep_their_directions(void **state)
+{
+    static const int32_t axis[3] = { 0, 1, 0 };
+    (void)state;
+    for (int32_t yaw = 0; yaw < 65536; yaw += 997)
+        for (int32_t pitch = 0; pitch < 65536; pitch += 4019) {
+            struct zs_pose is, want;
+            zs_pose_turn(&want, (zs_turn)yaw, (zs_turn)pitch, (zs_turn)(3 * yaw));
+            for (int e = 0; e < 9; e++)
+                is.rot[e] = (want.rot[e] + 16384) >> 15;
+            assert_int_equal(zs_pose_rotate(&is, axis, 0), ZS_OK);
+            assert_true(not_a_rotation(is.rot) <= 0x1p-26);
+            for (int e = 0; e < 9; e++)
+                assert_true(abs(is.rot[e] - want.rot[e]) < 1 << 17); /* four units of 2^-15 */
+        }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(sine_and_cosine_of_every_angle),
     cmocka_unit_test(unit_vectors),
@@ -532,6 +550,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_17_drift_searched),
     cmocka_unit_test(poses_do_not_come_round),
     cmocka_unit_test(quarter_turns_are_exact),
+    cmocka_unit_test(short_matrices_keep_their_directions),
     CASES_TEST(any_matrix_becomes_a_rotation, repair_case, 20000),
     CASES_TEST(random_rotations_stay_rotations, wander_case, 20)
 };

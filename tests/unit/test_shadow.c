@@ -9,6 +9,7 @@
 #include "cases.h"
 #include "fast_lists.h"
 #include "picture.h"
+#include "zs_check.h"
 #include "zs_method.h"
 #include "zs_shadow.h"
 
@@ -500,8 +501,39 @@ static void shaders_refuse(void **state)
 #undef REFUSED_WITH
 }
 
+static unsigned below;
+
+/* From a lamp, a thing that lies wholly below the plane as well: the shadow's mesh lies in its sphere. */
+static int below_case(uint64_t seed)
+{
+    static const int16_t corner[4][3] = { { -100, -100, 0 }, { 100, -100, 0 }, { 100, 100, 0 }, { -100, 100, 0 } };
+    static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+    const struct zs_shadow_plane plane = { .normal = { 0, ZS_Q30_ONE, 0 } };
+    struct prng p = { seed };
+    for (int k = 0; k < 40; k++) {
+        const struct zs_mesh mesh = { .pos = corner, .tri = tri, .n_verts = 4, .n_tris = 2, .radius = 142,
+                                      .scale = (uint32_t)prng_next(&p) >> prng_range(&p, 8, 31) };
+        struct zs_instance in = { .mesh = &mesh }, out = { .mesh = NULL };
+        struct zs_shadow_light lamp = { .point = 1 };
+        struct zs_mesh flat;
+        int16_t pos[4][3];
+        uint32_t index;
+        for (int i = 0; i < 3; i++) {
+            in.pose.pos[i] = prng_range(&p, -(1 << 28), 1 << 28) >> prng_range(&p, 0, 28);
+            lamp.pos[i] = prng_range(&p, -(1 << 28), 1 << 28) >> prng_range(&p, 0, 28);
+        }
+        zs_pose_turn(&in.pose, (zs_turn)prng_next(&p), (zs_turn)prng_next(&p), (zs_turn)prng_next(&p));
+        if (zs_shadow_flatten(&out, &flat, pos, &in, &plane, &lamp))
+            continue;
+        below += in.pose.pos[1] < 0;
+        CASE_CHECK(zs_mesh_check(&flat, &index) != ZS_FLAW_SPHERE);
+    }
+    return 1;
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(vertices),
+    CASES_COUNT(below_the_plane, below_case, 2000, &below, 1000, "things below the plane"),
     CASES_TEST(spheres_hold_small_shadows, small_case, 2000),
     CASES_COUNT(darkened_once, pixels_case, 400, &dark, 50000, "dark pixels"),
     CASES_COUNT(columns_alone, columns_case, 60, &parts, 100, "frames of which parts were left out"),

@@ -485,6 +485,23 @@ static void casters_are_chosen(void **state)
     assert_memory_equal(&out[1].pose, &in[4].pose, sizeof out[1].pose);
 }
 
+/* A light of zeros is the usual one; with the map's direction it is as bright. */
+static void the_maps_light(void **state)
+{
+    (void)state;
+    const struct zs_shadow_map map = { .rot = { 0, 0, 0, 0, 0, 0, 11, -22, 33 } };
+    const zs_q2_30 dir[3] = { -11, 22, -33 };
+    struct zs_light light = { .ambient = 0 }, own = { .ambient = 5 };
+    zs_shadow_map_light(&map, &light);
+    assert_memory_equal(light.dir, dir, sizeof dir);
+    assert_int_equal(light.ambient, ZS_Q16_ONE / 4);
+    assert_int_equal(light.diffuse, ZS_Q16_ONE / 4 * 3);
+    zs_shadow_map_light(&map, &own);
+    assert_memory_equal(own.dir, dir, sizeof dir);
+    assert_int_equal(own.ambient, 5);
+    assert_int_equal(own.diffuse, 0);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(rays),
     cmocka_unit_test(casters_are_chosen),
@@ -493,6 +510,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_47_odd_maps_and_lights),
     cmocka_unit_test(light_between_four_texels),
     cmocka_unit_test(a_vertex_far_outside_its_sphere),
+    cmocka_unit_test(the_maps_light),
     cmocka_unit_test(errors),
 };
 CASES_MAIN(tests)

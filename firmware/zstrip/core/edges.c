@@ -20,13 +20,19 @@
 #define EDGE32_MAX (1 << 15) /* sub-pixels: for an edge with dy below this, 32 bits suffice */
 
 /* Return (fraction * dy + off * part) / span, for an edge that is entered below its first row. Not
- * inlined, because that is rare. At most 2^14. */
+ * inlined, because that is rare. At most 2^14; rounded down, or one less. */
 static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t part)
 {
-    if (!ZS_FOR_SIZE && dy < EDGE32_MAX)
+    if (ZS_FOR_SIZE)
+        return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE));
+    if (dy < EDGE32_MAX)
         return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE); /* < 2^23 + 2^30 */
-    /* < 2^44.1 */
-    return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE));
+    /* < 2^44.1, over 2^23 or more. Both are cut to 32 bits, the divisor to 17 or more, as the
+     * quotient is below 2^14: it is less by at most one, for which the caller has room. */
+    const uint64_t n = zs_mul_uu((uint32_t)fraction, (uint32_t)dy) +
+                       zs_mul_uu((uint32_t)off, (uint32_t)part);
+    const int32_t down = zs_max32(32 - zs_clz64(n | 1u), 0);
+    return (int32_t)((uint32_t)(n >> down) / (((uint32_t)dy * ZS_SUBPX_ONE >> down) + 1u));
 }
 
 /* Find the columns of the edge that runs down from a to b, in n > 0 rows from `row` on, into

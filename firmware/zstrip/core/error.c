@@ -11,7 +11,7 @@ static const char *const messages[] = {
     "the arena is too small or not aligned to 4 bytes",
     "depth bits outside 8 to 16, or a depth mapping that camera, method or shader cannot take",
     "near, far, focal length, height or rotation of the camera out of range",
-    "a position, scale, extent or light that the integers cannot hold",
+    "a position, scale, extent or light the integers cannot hold, or a pose that is no rotation",
     "a mesh lacks what its shader reads, or has too many vertices",
     "frame functions called out of order",
     "the shader has more varyings than config.varyings, or a vertex stage and none",

@@ -106,8 +106,8 @@ static inline void zs_gloss_pixel(uint16_t *px, const uint32_t light[3], const u
                                zs_gloss_code(c & 31u, light[2], more[2], 31)));
 }
 
-/* A shader of more varyings than a vertex can have: refused, ZS_ERR_VARYINGS, wherever it is used.
- */
-#define ZS_GLOSS_REFUSED(n) { .run = zs_texture_run, .n_varyings = (n) }
+/* A shader of more varyings than a vertex can have: a frame with it, or with a filter or a layer of
+ * it, is refused, ZS_ERR_VARYINGS. */
+#define ZS_GLOSS_REFUSED(n) { .run = zs_texture_run, .n_varyings = (n), .opaque = ZS_TEXTURED }
 
 #endif

@@ -25,8 +25,9 @@
 
 #define BLOCK 32
 #define BIAS (1u << 30) /* of planes of normals */
-#define FAST 1u         /* job->sub_log2: by blocks */
-#define GENERAL 0u
+#define GENERAL 0u      /* job->sub_log2: each pixel by itself, ... */
+#define FAST 1u         /* ... by blocks, ... */
+#define BRIGHT 2u       /* ... whose sums, with highlights, come to twice to four times full */
 
 /* A triangle with one directional lamp, in job->own. Colours: red and blue in a word, green in a
  * word. */
@@ -45,10 +46,10 @@ _Static_assert(BLOCK <= 1 << ZS_SUB_LOG2_MAX, "zs_one_over");
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
-/* Convert a channel, up to 2 * 65535, to codes, uq16_16. */
+/* Convert a channel, up to 4 * 65535, to codes, uq16_16. */
 static uint32_t codes(uint32_t channel, uint32_t most)
 {
-    return channel * most + (channel * most >> 16); /* < 2^23.1 */
+    return channel * most + (channel * most >> 16); /* < 2^24 */
 }
 
 /* Red and blue in 16 bits each, with `bits` of fraction; codes in uq16_16. */
@@ -58,8 +59,8 @@ static uint32_t both(const uint32_t c[3], int bits)
     return ((c[0] + (1u << (down - 1))) >> down) << 16 | (c[2] + (1u << (down - 1))) >> down;
 }
 
-/* Set g. Return 0 if the triangle cannot be drawn by blocks. */
-static int gloss_start(struct zs_job *job, const struct zs_instance *in)
+/* Set g. Return how the triangle is drawn. */
+static uint32_t gloss_start(struct zs_job *job, const struct zs_instance *in)
 {
     const struct zs_lit_material *const m = zs_lit_material_of(in);
     const struct zs_lamp *const lamp = m->lighting->lamp;
@@ -67,10 +68,10 @@ static int gloss_start(struct zs_job *job, const struct zs_instance *in)
     struct zs_lit_at at = { { 0 }, { 0 }, { 0 } };
     struct zs_lit_sum full, dark;
     uint16_t base[3];
-    uint32_t c[3][3], square;
+    uint32_t c[3][3], square, sum = 0;
     int32_t exp;
     if (m->lighting->n_lamps != 1 || m->flags & ZS_LIT_REFLECT)
-        return 0;
+        return GENERAL;
     zs_lit_view(&at, &job->r->camera, 0);
     for (int k = 0; k < 3; k++) {
         g->light[k] = (lamp->dir[k] + (1 << 14)) >> 15;
@@ -87,12 +88,14 @@ static int gloss_start(struct zs_job *job, const struct zs_instance *in)
         const uint32_t most = k == 1 ? 63u : 31u;
         const uint32_t d = zs_lit_part(rgb[k], full.diffuse[k]);
         const uint32_t s = m->shine ? zs_lit_part(specular[k], full.shine[k]) : 0u;
-        if (base[k] + d + s > 129000u) /* twice full, and room for rounding */
-            return 0;
+        sum = zs_maxu32(sum, base[k] + d + s);
         c[0][k] = codes(base[k], most);
         c[1][k] = codes(d, most);
         c[2][k] = codes(s, most);
     }
+    const uint32_t way = sum <= 129000u ? FAST : BRIGHT; /* twice full, and room for rounding */
+    if (sum > 258000u || (way == BRIGHT && !m->shine))
+        return GENERAL;
     /* at the end: red from bit 25, blue from bit 9, green from bit 24, each with half a code */
     g->base[0] = both(c[0], 9) + (1u << 24) + (1u << 8);
     g->base[1] = (c[0][1] << 8) + (1u << 23);
@@ -102,7 +105,7 @@ static int gloss_start(struct zs_job *job, const struct zs_instance *in)
         c[2][k] += c[2][k] >> 8; /* times 255 instead of 256 */
     g->shine[0] = both(c[2], 1);
     g->shine[1] = c[2][1];
-    return 1;
+    return way;
 }
 
 /* The longest N w / 2 is scaled to 2^29.5 .. 2^30. */
@@ -126,7 +129,7 @@ static void phong_start(struct zs_job *job)
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
     normal_planes(job, a, w);
-    job->sub_log2 = gloss_start(job, zs_instance_of(job->r, job->tri->instance)) ? FAST : GENERAL;
+    job->sub_log2 = gloss_start(job, zs_instance_of(job->r, job->tri->instance));
 }
 
 static void near_start(struct zs_job *job)
@@ -290,19 +293,27 @@ static ZS_RARE ZS_NOINLINE void far_ends(struct end both[2], struct zs_job *job,
     }
 }
 
-/* Pack a colour: red from bit 25, green from 24, blue from 9; each may be up to twice full. */
-ZS_ALWAYS_INLINE uint16_t packed(uint32_t rb, uint32_t green)
+/* Pack a colour: red from bit 25, green from 24, blue from 9; each may be up to twice full, where
+ * bright, a constant, is 1 up to four times. */
+ZS_ALWAYS_INLINE uint16_t packed(uint32_t rb, uint32_t green, int bright)
 {
     uint32_t r, g, b;
-    ZS_HELD(r, rb, 25, 5);
-    ZS_HELD(g, green, 24, 6);
-    ZS_HELD(b, rb & 0x7fffu, 9, 5);
+    if (bright) { /* ZS_HELD takes less than 2^31 */
+        ZS_HELD(r, rb >> 1, 24, 5);
+        ZS_HELD(g, green >> 1, 23, 6);
+        ZS_HELD(b, rb & 0xffffu, 9, 5);
+    } else {
+        ZS_HELD(r, rb, 25, 5);
+        ZS_HELD(g, green, 24, 6);
+        ZS_HELD(b, rb & 0x7fffu, 9, 5);
+    }
     return zs_wire16((uint16_t)(r << 11 | g << 5 | b));
 }
 
-/* Fill n > 0 pixels. glossy is a constant: 0 leaves out highlights. */
+/* Fill n > 0 pixels. Constants: glossy: 0 leaves out highlights; bright: as above. */
 ZS_ALWAYS_INLINE void block_fill(uint16_t *out, int32_t n, const struct block *b,
-                                 const struct gloss *g, const struct zs_shine *shine, int glossy)
+                                 const struct gloss *g, const struct zs_shine *shine, int glossy,
+                                 int bright)
 {
     uint32_t q = b->q, by_q = b->by_q;
     int32_t l = b->l, h = b->h;
@@ -327,7 +338,7 @@ ZS_ALWAYS_INLINE void block_fill(uint16_t *out, int32_t n, const struct block *b
             }
             h += by_h;
         }
-        *out = packed(rb, green);
+        *out = packed(rb, green, bright);
         l += by_l;
         q += by_q;
         by_q += by_by;
@@ -337,13 +348,20 @@ ZS_ALWAYS_INLINE void block_fill(uint16_t *out, int32_t n, const struct block *b
 static ZS_NOINLINE void fill_glossy(uint16_t *out, int32_t n, const struct block *b,
                                     const struct gloss *g, const struct zs_shine *shine)
 {
-    block_fill(out, n, b, g, shine, 1);
+    block_fill(out, n, b, g, shine, 1, 0);
+}
+
+/* Of a light thing that shines; pixel by pixel these took four times as much. */
+static ZS_NOINLINE void fill_bright(uint16_t *out, int32_t n, const struct block *b,
+                                    const struct gloss *g, const struct zs_shine *shine)
+{
+    block_fill(out, n, b, g, shine, 1, 1);
 }
 
 static ZS_NOINLINE void fill_matt(uint16_t *out, int32_t n, const struct block *b,
                                   const struct gloss *g)
 {
-    block_fill(out, n, b, g, 0, 0);
+    block_fill(out, n, b, g, 0, 0, 0);
 }
 
 static void phong_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
@@ -352,11 +370,11 @@ static void phong_run(struct zs_job *job, const struct zs_row *row, int32_t r0, 
     const struct gloss *const g = gloss_of(job);
     const struct zs_shine *shine = zs_lit_material_of(in)->shine;
     int32_t from = row->x0 + ((r0 - row->x0) & -BLOCK);
-    if (job->sub_log2 != FAST) {
+    if (job->sub_log2 == GENERAL) {
         each(job, row, r0, r1, 0);
         return;
     }
-    if (!(g->shine[0] | g->shine[1]))
+    if (job->sub_log2 == FAST && !(g->shine[0] | g->shine[1]))
         shine = 0;
     const uint32_t scale = shine ? shine->scale : 0u;
     struct end next, ends[2];
@@ -374,6 +392,8 @@ static void phong_run(struct zs_job *job, const struct zs_row *row, int32_t r0, 
         }
         if (!steps)
             each(job, row, i0, i1, 0);
+        else if (job->sub_log2 == BRIGHT)
+            fill_bright(job->color + row->at + i0, i1 - i0, &b, g, shine);
         else if (shine)
             fill_glossy(job->color + row->at + i0, i1 - i0, &b, g, shine);
         else

@@ -124,7 +124,7 @@ static int fall(struct flat *f, const struct zs_instance *in, const struct zs_sh
     if (err)
         return err;
     const uint64_t l = length(f->l);
-    f->size = zs_mulshift_s64(f->radius, l, L_BITS) + 0xddb5; /* sqrt(3) / 2 units; <= 2^53.1 */
+    f->size = zs_mulshift_s64(f->radius, l, L_BITS); /* <= 2^53.1 */
     if (f->point) {
         const uint64_t high = (uint64_t)(f->h + f->above), least = (uint64_t)(f->above - f->radius);
         f->f = (int32_t)zs_muldiv_u64(high, 1u << L_BITS, (uint64_t)f->above); /* <= 2^30 */
@@ -132,6 +132,7 @@ static int fall(struct flat *f, const struct zs_instance *in, const struct zs_sh
             return ZS_ERR_RANGE;
         f->size = (int64_t)zs_muldiv_u64((uint64_t)f->size, high, least) + 1; /* <= 2^54 */
     }
+    f->size += 0xddb5; /* the anchor's rounding: sqrt(3) / 2 units */
     for (int k = 0; k < 3; k++)
         f->q[k] -= zs_mulshift_s64(f->h, zs_size32(f->l[k]), L_BITS) * (f->l[k] < 0 ? -1 : 1);
     for (int k = 0; k < 3; k++)

@@ -148,4 +148,8 @@ void zs_shadow_map_light(const struct zs_shadow_map *map, struct zs_light *light
 {
     for (int k = 0; k < 3; k++)
         light->dir[k] = -map->rot[6 + k];
+    if (!(light->ambient | light->diffuse)) {
+        light->ambient = ZS_Q16_ONE / 4;
+        light->diffuse = ZS_Q16_ONE / 4 * 3;
+    }
 }

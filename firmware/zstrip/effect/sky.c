@@ -196,7 +196,8 @@ static void fill(void *ctx, uint16_t *out, uint16_t px, uint16_t py, uint16_t n)
 int zs_sky_panorama(struct zs_sky *sky, const struct zs_texture *image, int16_t top, int16_t bottom)
 {
     const int32_t span = top - bottom;
-    if (!image || !image->format || !image->texel || (image->format->colors_max && !image->palette))
+    if (!sky || !image || !image->format || !image->texel ||
+        (image->format->colors_max && !image->palette))
         return ZS_ERR_NULL;
     if (image->log2_w > ZS_TEXTURE_LOG2_MAX || image->log2_h > ZS_TEXTURE_LOG2_MAX ||
         image->log2_w + image->format->log2_bits < 3)

@@ -165,7 +165,7 @@ static void layer_run(const struct zs_fog *fog, uint16_t *px, int32_t n, uint32_
 void zs_layered_fog(struct zs_layered *layer, const struct zs_fog *fog)
 {
     layer->fog = fog;
-    layer->fogged = layer_run;
+    layer->fogged = fog ? layer_run : 0;
 }
 
 int zs_fog_changes(void *ctx, struct zs_rect *rect)

@@ -180,6 +180,7 @@ static void fine_turn(q4_60 turn[9], const q4_60 u[3], zs_turn angle)
 static void orthonormalise(zs_q2_30 m[9])
 {
     (void)zs_unit(m, m);
+    (void)zs_unit(m + 3, m + 3); /* so that a short one is not rounded to whole steps below */
     const int64_t along = zs_round_shift(zs_dot(m, m + 3), 30); /* < 2^31.8 */
     int64_t second[3];
     for (int k = 0; k < 3; k++)
