@@ -284,7 +284,8 @@ static int import(struct load *l)
             return sim_refuse(l->file, 0, "%s", words);
         if (why != NULL && strstr(why, "No suitable reader") != NULL)
             return sim_refuse(l->file, 0, "is of no format that is known by its name or its bytes; zsim reads OBJ, "
-                                          "PLY, STL, glTF and what else assimp reads: export the model as one of these");
+                                          "PLY, STL, glTF and what else assimp reads: export the model as one of "
+                                          "these");
         return sim_refuse(l->file, 0, "cannot be loaded: %s; the file may be damaged or cut off",
                           why != NULL && why[0] != '\0' ? why : "unknown format");
     }

@@ -292,9 +292,10 @@ grep -q 'The default (float 16, S 8) is one of them' counted/time.section ||
     NR > 1 && $7 == 8 && $9 == 16 && !($30 > 500000 && $30 < 200000000) { print "row", NR, $30 }
     NR > 1 && !($7 == 8 && $9 == 16) && $30 != "" { print "row", NR, "is not counted on the host:", $30 }' \
         counted/time.csv
-# The folder is given by its whole name here, and as build by others: both are to know the same objects by one name, or
-# what depends on a header that changes is not made anew.
-grep -l '^/' "$build"/fw/mps2/firmware/zstrip/core/*.d >whole && wrong "$(head -n 1 whole): whole paths; remove build/fw"
+# The folder is given by its whole name here, and as build by others: both are to know an object by one name, or what
+# depends on a header that changes is not made anew.
+grep -l '^/' "$build"/fw/mps2/firmware/zstrip/core/*.d >whole &&
+    wrong "$(head -n 1 whole): whole paths; remove build/fw"
 [ -e "$build/fw/mps2/firmware/zstrip/core/raster.d" ] || wrong "no raster.d"
 note="on $cores"
 begin study_time_methods # the painter is wrong where surfaces cross; no other has more wrong pixels than the buffer
