@@ -59,9 +59,11 @@ ZS_NODISCARD int zs_camera_orthographic(struct zs_camera *camera, int32_t height
 /* Place a camera at eye and let it look at a point, or along a direction. Only rot and pos change.
  *
  * eye, at  world units, |coordinate| <= ZS_WORLD_MAX.
- * dir      any length but 0.
+ * dir      any length but 0. Its components, and those of up, are above INT32_MIN: with that one,
+ *          all are halved, and Error does not hold.
  * up       the direction that points upwards on the screen: any length but 0, not parallel to the
- *          view.
+ *          view: from 2^-19 rad on, an angle between them is enough; below 2^-24 it never is. From
+ *          (0, y, 1) to 0 0 0 with up = 0 1 0 the limit is 2^-21, y < 2^21.
  * Error    <= 2^-27 an element of rot.
  * Return   ZS_OK; ZS_ERR_RANGE; ZS_ERR_VECTOR (eye is at, or up is parallel to the view): camera is
  *          untouched. */

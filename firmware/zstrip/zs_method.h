@@ -22,7 +22,7 @@ ZS_C_BEGIN
  * Wrong   where triangles intersect or overlap in a cycle; and where a large triangle has its
  *         farthest vertex behind a small one that it covers (a floor below things).
  * Needs   zs_depth_none, else ZS_ERR_DEPTH; max_tris >= 2 and max_verts >= 6, else ZS_ERR_SIZE.
- *         Depth states have no effect.
+ *         Depth states have no effect. Passes are refused: ZS_ERR_PASS.
  * Cost    a sort of the triangles of each strip, n log n. Pools that do not hold a strip's
  *         triangles cost walks over the scene: each draws the farthest that are left. */
 extern const struct zs_method zs_method_painter;
@@ -46,7 +46,7 @@ struct zs_bvh_node {
  * Wrong   where a shader is not opaque (zs_shader.h): each pixel is coloured once, by the triangle
  *         that drew there last, over the background.
  * Needs   depth memory, else ZS_ERR_DEPTH; max_tris >= 4 and max_verts >= 6, else ZS_ERR_SIZE. Of
- *         max_tris, 3/7 are triangles, the others boxes.
+ *         max_tris, 3/7 are triangles, the others boxes. Passes are refused: ZS_ERR_PASS.
  *         Resolve hooks find keys in zs_target.depth, at the cost of a second ray for each pixel.
  *         Without hooks zs_strip.depth holds no keys.
  * Cost    for each ray, tests of boxes by the logarithm of the triangles in its strip. Scenes of
@@ -94,7 +94,7 @@ extern const struct zs_depth zs_depth_order;
  *         surfaces are within a bucket. A triangle thinner than 2^-12 px may count as level.
  * Needs   zs_depth_order, else ZS_ERR_DEPTH; max_tris >= 2 and max_verts >= 6, else ZS_ERR_SIZE.
  *         A quarter of max_tris is kept for pieces, two records each. Depth states have no effect.
- *         Passes are refused.
+ *         Passes are refused: ZS_ERR_PASS.
  * Cost    n log n in a strip where depths do not overlap. Each pair that does is compared,
  *         zs_stats.pairs: at worst n^2. Triangles that intersect are split, zs_stats.splits: n^2
  *         again. A rectangle of a strip whose pieces find no room is halved, and sorted anew; so is

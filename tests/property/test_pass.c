@@ -11,6 +11,8 @@
 #include "../lab/fuzz/world.h"
 #include "own.h"
 #include "picture.h"
+#include "zs_blend.h"
+#include "zs_method.h"
 #include "zs_pass.h"
 #include "zs_shader.h"
 
@@ -273,6 +275,32 @@ static void places_are_of_the_frame(void **state)
     }
 }
 
+/* Methods refuse them, but for the one that mixes layers. */
+static void passes_with_a_method(void **state)
+{
+#define METHOD(name_, depth_, tris_, verts_, records_) { &zs_method_##name_, depth_, ZS_ERR_PASS },
+    static const struct {
+        const struct zs_method *method;
+        const struct zs_depth *depth;
+        int err;
+    } of[] = { { &zs_method_transparent, NULL, ZS_OK }, ZS_METHOD_EACH(METHOD) };
+    static struct zs_renderer r;
+    static uint32_t arena[9000];
+    static const struct zs_scene none = { .n_instances = 0 };
+    struct zs_pass_memory memory[1];
+    struct zs_camera camera;
+    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 30, 1, 100), ZS_OK);
+    const struct zs_pass pass = { .scene = &none, .camera = &camera };
+    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
+        struct zs_config c = plain_config(40, 30, of[k].depth ? of[k].depth : &zs_depth_recip);
+        c.method = of[k].method;
+        c.max_tris = c.max_verts = 100;
+        assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+        assert_int_equal(zs_frame_begin_passes(&r, &pass, memory, 1), of[k].err);
+    }
+    assert_non_null(strstr(zs_error_string(ZS_ERR_PASS), ", or passes with a method"));
+}
+
 /* ---- What is refused ----------------------------------------------------------------------------- */
 
 static void wrong_passes_are_refused(void **state)
@@ -434,6 +462,7 @@ static const struct CMUnitTest tests[] = {
     CASES_COUNT(a_scene_cut_in_two_passes, cut_case, 100, &passes_kept, 20, "scenes cut"),
     cmocka_unit_test(places_are_of_the_frame),
     cmocka_unit_test(wrong_passes_are_refused),
+    cmocka_unit_test(passes_with_a_method),
     cmocka_unit_test(instances_of_all_passes_are_counted),
     cmocka_unit_test(a_plain_frame_after_passes),
     CASES_COUNT(without_depth_memory_the_later_covers, untested_case, 100, &drawn_cases, 60, "frames drawn"),

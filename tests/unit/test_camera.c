@@ -54,7 +54,7 @@ static int look_case(uint64_t seed)
     const int err = zs_camera_look_at(&c, eye, at, up);
     if (!(sine >
           0x1p-19)) { /* parallel, or nearly: refused, or right to what is left of the precision */
-        CASE_CHECK(err == ZS_ERR_VECTOR || (err == ZS_OK && sine > 0));
+        CASE_CHECK(err == ZS_ERR_VECTOR || (err == ZS_OK && sine > 0x1p-24));
         CASE_CHECK(!err || memcmp(&c, &before, sizeof c) == 0);
         return 1;
     }
@@ -75,6 +75,34 @@ static void look_at_against_doubles(void **state)
     CASES(look_case, 20000);
     print_message("look-at, up at any angle above 2^-19: off by at most 2^-27 * %.3f\n",
                   look_worst * 0x1p27);
+}
+
+/* Directions that are nearly parallel, of any length: taken from 2^-19 rad on, refused below 2^-24; with components
+ * above INT32_MIN, what is taken is right to 2^-27. */
+static unsigned near_taken, near_refused;
+
+static int near_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    const int shift = prng_range(&p, 0, 8);
+    int32_t dir[3], up[3];
+    double d[3], u[3], want[9];
+    for (int k = 0; k < 3; k++) {
+        const int32_t any = (int32_t)prng_next(&p), by = prng_range(&p, -8191, 8191) / (1 << prng_range(&p, 0, 12));
+        dir[k] = any / (any == INT32_MIN ? 2 : 1 << shift);
+        const int64_t at = (int64_t)dir[k] + by;
+        up[k] = (int32_t)(at > INT32_MAX ? INT32_MAX : at < -INT32_MAX ? -INT32_MAX : at);
+        d[k] = dir[k];
+        u[k] = up[k];
+    }
+    static const int32_t eye[3] = { 0, 0, 0 };
+    struct zs_camera c;
+    const double sine = look_matrix(want, d, u);
+    const int err = zs_camera_look_along(&c, eye, dir, up);
+    near_taken += !err;
+    near_refused += err != 0;
+    CASE_CHECK(err == (sine >= 0x1p-19 ? ZS_OK : sine < 0x1p-24 ? ZS_ERR_VECTOR : err));
+    return err || apart(c.rot, want) <= 0x1p-27 ? 1 : case_wrong("off by 2^-27 * %g", apart(c.rot, want) * 0x1p27);
 }
 
 static int orbit_case(uint64_t seed)
@@ -147,6 +175,10 @@ static void cameras_refused_by_name(void **state)
     assert_int_equal(zs_camera_look_along(&c, zero, zero, up), ZS_ERR_VECTOR);
     assert_int_equal(zs_camera_look_along(&c, least, one, up), ZS_ERR_RANGE);
     assert_int_equal(zs_camera_look_along(&c, zero, least, up), ZS_ERR_VECTOR); /* parallel to up */
+    const int32_t steep[3] = { 0, 1 << 21, 1 }, less[3] = { 0, (1 << 21) - 1, 1 };
+    assert_int_equal(zs_camera_look_at(&c, steep, zero, up), ZS_ERR_VECTOR);
+    struct zs_camera taken;
+    assert_int_equal(zs_camera_look_at(&taken, less, zero, up), ZS_OK);
     assert_int_equal(zs_camera_orbit(&c, zero, 0, 0, 0), ZS_ERR_VECTOR);
     assert_int_equal(zs_camera_orbit(&c, zero, -1, 0, 0), ZS_ERR_VECTOR);
     assert_int_equal(zs_camera_orbit(&c, zero, 10, 0, 16384), ZS_ERR_VECTOR);
@@ -163,6 +195,8 @@ static void cameras_refused_by_name(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(look_at_against_doubles),
+    CASES_COUNTS(near_parallel, near_case, 20000, { "taken", &near_taken, 4000 },
+                 { "refused", &near_refused, 2000 }),
     CASES_TEST(orbit_against_doubles, orbit_case, 10000),
     CASES_TEST(focal_length_against_doubles, focal_case, 20000),
     cmocka_unit_test(cameras_refused_by_name)
