@@ -42,7 +42,7 @@ ZS_C_BEGIN
  *         struct zs_material for a shader that reads more; counts and sizes that leave no hole to
  *         be seen: triangles left out on the far side, log2_w of a texture of less than 4 x 8.
  * Cost    that of the frame, four times that of each instance, and of a check of all meshes; up to
- *         40 times the frame where nothing is seen. 31 KB of flash with zs_check.h (Cortex-M3,
+ *         40 times the frame where nothing is seen. 33 KB of flash with zs_check.h (Cortex-M3,
  *         -O2), and 1.3 KB for zs_overlay_draw, where the program has none; 1.7 KB of stack beside
  *         the frame's.
  * Return  the number of sentences. */
