@@ -129,8 +129,9 @@ extern const struct zs_shader zs_shade_lit;
  * lamps only, without ZS_LIT_NEAR_VIEWER, else ZS_ERR_RANGE: take the next one.
  * Cost   one lamp, no ZS_LIT_REFLECT: a pixel 28, with highlights 36, in them 45 (M0: some 80, 110,
  *        130); a block of up to 32 pixels of a run 210. Four adds, a root from a table, a product
- *        for light, two channels' words, packing and the store are 26 of these: the floor. Else
- *        each pixel is lit as a vertex is: from 525 on. */
+ *        for light, two channels' words, packing and the store are 26 of these: the floor. Else,
+ *        or where a channel's sum may exceed four times full (without highlights twice), each
+ *        pixel is lit as a vertex is: from 525 on. */
 extern const struct zs_shader zs_shade_phong;
 /* The same for all lamps and flags, with six varyings: compile with ZS_VARYINGS_MAX at least 6.
  * Positions are those of mesh.pos, without pos_lo. Cost of a pixel: 690; near viewer 1,330; three
