@@ -17,19 +17,18 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     stage_open(f, dusk);
     stage_light(f, -4, 8, 7, 40, 72);
 
+    /* whole turns in the animation everywhere, so that its last frame meets the first */
+    const zs_turn once = stage_turn(t, FRAMES, 1), twice = stage_turn(t, FRAMES, 2);
     zs_pose_turn(stage_put(f, &mesh_cube, &paint, 0, 0, 0, ZS_Q16_ONE * 5u / 4u),
-                 (zs_turn)(5000u + stage_turn(t, FRAMES, 1)),
-                 (zs_turn)(4000u + stage_turn(t, FRAMES, 2)), stage_turn(t, FRAMES, 1));
+                 (zs_turn)(5000u + once), (zs_turn)(4000u + twice), once);
     for (uint32_t i = 0; i < AROUND; i++) {
-        /* whole turns in the animation everywhere, so that its last frame meets the first */
-        const zs_turn place = (zs_turn)(i * 65536u / AROUND + stage_turn(t, FRAMES, 1));
+        const zs_turn place = (zs_turn)(i * 65536u / AROUND + once);
         const zs_turn phase = (zs_turn)(i * 65536u / AROUND + 3000u);
         zs_pose_turn(stage_put(f, &mesh_cube, &paint, stage_cos(RADIUS, place),
                                stage_sin(7000, (zs_turn)(3u * phase + place)),
                                stage_sin(RADIUS, place), ZS_Q16_ONE * (i & 1u ? 7u : 9u) / 16u),
-                     (zs_turn)(phase + stage_turn(t, FRAMES, 2)),
-                     (zs_turn)(2u * phase + stage_turn(t, FRAMES, 1)),
-                     (zs_turn)(3u * phase + stage_turn(t, FRAMES, i & 1u ? 1u : 2u)));
+                     (zs_turn)(phase + twice), (zs_turn)(2u * phase + once),
+                     (zs_turn)(3u * phase + (i & 1u ? once : twice)));
     }
     stage_lens(f, 7300, w, h, 20000, 220000);
     zs_camera_orbit(&f->camera, stage_origin, 100000, 2000, 4400);

@@ -50,10 +50,12 @@ static int bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct
     const struct zs_camera *const camera = &r->camera;
     const struct zs_mesh *mesh = in->mesh;
     const uint64_t scale = zs_usual_scale(in);
+    const int centered = !(mesh->center[0] | mesh->center[1] | mesh->center[2]);
     zs_q2_30 view[9], both[9];
     int32_t from[3], center[3];
     zs_view_axes(view, camera);
-    zs_rotation_mul(both, view, zs_usual_rotation(in->pose.rot));
+    if (!centered)
+        zs_rotation_mul(both, view, zs_usual_rotation(in->pose.rot));
     b->r = radius_of(mesh, scale);
     b->reach = 0;
     for (int k = 0; k < 3; k++) {
@@ -61,10 +63,13 @@ static int bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct
         center[k] = mesh->center[k];
     }
     for (int k = 0; k < 3; k++) {
-        const int64_t at = zs_dot(view + 3 * k, from);      /* <= 3 * 2^60 */
-        const int64_t off = zs_dot(both + 3 * k, center);   /* <= 3 * 2^45 */
-        const int64_t origin = zs_round_shift(at, 14);      /* q48_16, <= 2^47.6 */
-        b->c[k] = origin + zs_mulshift_s64(off, scale, 46); /* <= 2^46.6 * 2^47 / 2^46 */
+        const int64_t at = zs_dot(view + 3 * k, from); /* <= 3 * 2^60 */
+        const int64_t origin = zs_round_shift(at, 14); /* q48_16, <= 2^47.6 */
+        b->c[k] = origin;
+        if (!centered) { /* the offset is at most 3 * 2^45, then 2^46.6 * 2^47 / 2^46 */
+            const int64_t off = zs_dot(both + 3 * k, center);
+            b->c[k] += zs_mulshift_s64(off, scale, 46);
+        }
         reach_out(&b->reach, b->c[k], b->r);
         reach_out(&b->reach, origin, 0);
     }

@@ -155,12 +155,19 @@ ZS_RARE uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
 ZS_RARE int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
 {
     const uint64_t mag = a < 0 ? 0u - (uint64_t)a : (uint64_t)a;
-    struct wide w = wide_mul(mag, b);
-    for (; n >= 32; n -= 32) {
-        w.lo = w.hi << 32 | w.lo >> 32;
-        w.hi >>= 32;
+    uint64_t r;
+    if (!ZS_FOR_SIZE && !(b >> 32) && n < 96) { /* most: the product is high * 2^32 + low */
+        const uint64_t high = zs_mul_uu((uint32_t)(mag >> 32), (uint32_t)b),
+                       low = zs_mul_uu((uint32_t)mag, (uint32_t)b);
+        r = n < 32 ? (high << (32 - n)) + (low >> n) : (high + (low >> 32)) >> (n - 32);
+    } else {
+        struct wide w = wide_mul(mag, b);
+        for (; n >= 32; n -= 32) {
+            w.lo = w.hi << 32 | w.lo >> 32;
+            w.hi >>= 32;
+        }
+        r = w.hi << 1 << (63 - n) | w.lo >> n;
     }
-    const uint64_t r = w.hi << 1 << (63 - n) | w.lo >> n;
     ZS_FACT(r <= (uint64_t)INT64_MAX);
     return a < 0 ? -(int64_t)r : (int64_t)r;
 }
