@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-FLASH_MAX=${FLASH_MAX:-60217}           # everything but clusters, Cortex-M3 -O2
+FLASH_MAX=${FLASH_MAX:-60341}           # everything but clusters, Cortex-M3 -O2
 FLASH_CLUSTERS_MAX=${FLASH_CLUSTERS_MAX:-3334} # what clusters take
 FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-29286} # flat and recip, and the accelerators that such a program names, Cortex-M3 -O2
 # No accelerators, Cortex-M3 -Os

@@ -269,15 +269,16 @@ ZS_IN_ORDER static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct
     }
 }
 
-/* Apply light that is interpolated from the vertices. at[]: reciprocals. */
-static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n,
-                         uint32_t c, uint32_t step)
+/* Compute the light at n pixels, as zs_texture_shine takes it, which is interpolated from the
+ * vertices. at[]: reciprocals. */
+static ZS_NOINLINE void levels_of(uint16_t *level, const uint32_t *at, int32_t n, uint32_t c,
+                                  uint32_t step)
 {
-    const struct zs_shader *shader = job->shader;
-    for (int32_t k = 0; k < n; k++, c += step) {
-        const int32_t level = (int32_t)zs_texture_coarse(c, at[k] & 65535u);
-        shader->light(out + k, 1, level < 0 ? 0u : (uint32_t)level << 2,
-                      0); /* < 2^32: light is below LIGHT_MAX */
+    for (const uint32_t *const end = at + n; at != end; at++, level++, c += step) {
+        const int32_t l = (int32_t)zs_texture_coarse(c, *at); /* < 2^30: below LIGHT_MAX */
+        *level = l < 0 ? 0
+                       : (uint16_t)(((uint32_t)l + (ZS_TEXTURE_LIGHT_HALF >> 2)) >>
+                                    (ZS_TEXTURE_LIGHT_SHIFT - 2));
     }
 }
 
@@ -288,21 +289,25 @@ static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t
     const struct zs_texture *t = job->sampler.texture;
     const struct zs_fast_texel *texel = job->texel;
     const int32_t up = lz - 1;
+    const int lit = job->shader->n_varyings == 3;
     struct places p;
     uint32_t at[PIECE];
+    uint16_t level[PIECE];
     reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
+    if (lit)
+        levels_of(level, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u,
+                  job->c[2].gx << up);
     places_of(&p, job, 1, i, row, up);
     places(at, n, &p, 0);
     places_of(&p, job, 0, i, row, up);
     places(at, n, &p, t->log2_w);
     texel->gather(t, out, n, at);
-    if (job->shader->n_varyings != 3) {
+    if (!lit) {
         zs_texture_lighten(job, out, n, 0, 0);
         return;
     }
-    reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
-    light_places(job, out, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u,
-                 job->c[2].gx << up);
+    for (const uint16_t *l = level; n; n--, out++, l++)
+        *out = zs_wire16((uint16_t)zs_texture_shine(zs_wire16(*out), *l));
 }
 
 /* Return how many of n pixels, beginning with one with this w, have the same number of leading
