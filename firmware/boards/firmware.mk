@@ -91,7 +91,10 @@ QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enabl
 OBJCOPY = $(BOARD_CC:gcc=objcopy)
 SIZE = $(BOARD_CC:gcc=size)
 include firmware/boards/$(BOARD)/board.mk
-ifeq ($(LEAN),1)
+ifneq ($(LEAN),0)
+ifneq ($(LEAN)$(CORES),11)
+$(error LEAN=$(LEAN) CORES=$(CORES): LEAN is 0, or 1 with CORES=1: two cores share a scene by an accelerator)
+endif
 OPT = -Os
 endif
 ifneq ($(CORES),1)

@@ -12,8 +12,8 @@
 #endif
 
 #ifndef ZS_GUARD_PX
-#define ZS_GUARD_PX 8188 /* px: half the width and height of the guard band around the frame's
-                            centre; triangles that reach beyond it are clipped */
+#define ZS_GUARD_PX 8188 /* px: half of the guard band about the frame's centre: triangles beyond it
+                            are clipped. 4097 .. 8191; from ZS_SIZE_MAX on with ZS_NO_FAST */
 #endif
 
 #ifndef ZS_VARYINGS_MAX

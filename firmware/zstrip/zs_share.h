@@ -14,8 +14,9 @@
  * damage tracking, or a method other than the depth buffer, nor where the pools do not hold what
  * one pass draws: then steps do nothing or give up, and each renderer bins for itself.
  *
- * In zs_stats, tris_in of each renderer counts the whole scene, and what became of them only its
- * own part: the sum of both is the frame's.
+ * In zs_stats, tris_in and instances_in of each renderer count the whole scene; tris_frustum and
+ * instances_culled also what is wholly the other's part. The other counts, tris_drawn to tris_index
+ * and tris_clipped, are of its own part: the sum of both is the frame's.
  *
  * What it is worth stands in fast/share.c. Not with ZS_NO_FAST.
  *

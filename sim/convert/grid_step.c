@@ -189,7 +189,8 @@ static int check_unit(const struct sim_model *model, const struct sim_steps_want
             model->file, 0,
             "with %g world units to a unit the model reaches %.3g; the world ends at %.3g: "
             "give --unit %.3g or less%s",
-            unit, reach * unit, most, most / reach, want->keep_origin ? ", or --center yes" : "");
+            unit, reach * unit, most, 0.995 * most / reach, /* printed with three digits, it is below most / reach */
+            want->keep_origin && reach_of(model, 0) * unit <= most ? ", or --center yes" : "");
     if (extent * unit * 65536.0 < SCALE_LEAST * 2.0 * SIM_STEPS_MAX)
         return sim_refuse(
             model->file, 0,

@@ -101,6 +101,13 @@ for name in m3 armv6m; do
 done
 [ "${2:-}" != bench ] || exit $failed
 
+for lean in LEAN=yes 'LEAN=1 CORES=2'; do # neither is another image than the one asked for
+    # shellcheck disable=SC2086
+    make -n -f firmware/boards/firmware.mk BOARD=pico B="$build" APP=show SCENE=cubes $lean >"$out/lean.txt" 2>&1
+    if grep -q 'LEAN is 0, or 1 with CORES=1' "$out/lean.txt"; then ok "bare_refused_$(echo "$lean" | tr '= ' '__')"
+    else bad "bare_refused_$(echo "$lean" | tr '= ' '__')" "$(tail -1 "$out/lean.txt")"; fi
+done
+
 # ---- Golden checksums ------------------------------------------------------------------------------------------------
 
 for program in gcc-O0 gcc-O3 clang-O0 clang-O3 powerpc-Os; do

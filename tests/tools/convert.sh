@@ -720,6 +720,15 @@ refused unit_0 1 'outside its range' tetra.obj --name m --out none --unit 0
 refused unit_below_0 1 'outside its range' tetra.obj --name m --out none --unit -2
 refused unit_nan 1 'outside its range' tetra.obj --name m --out none --unit nan
 refused unit_too_large 1 'the world ends' tetra.obj --name m --out none --unit 1e12
+begin unit_that_a_refusal_names
+for size in 0.7 1.3 3.1; do # three digits of the limit: rounded down, up and up
+    printf 'v -%s 0 0\nv %s 0 0\nv 0 %s %s\nf 1 2 3\n' $size $size $size $size >wide.obj
+    z convert wide.obj --name m --out none --unit 1e12
+    lacks stderr '--center'
+    told=$(sed -n 's/.*give --unit \([0-9.e+]*\) or less.*/\1/p' stderr)
+    z convert wide.obj --name m --out told --unit "$told"
+    is "status with --unit $told" "$status" 0
+done
 refused unit_too_small 1 'give --unit' tetra.obj --name m --out none --unit 0.5
 printf 'v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n' >point.obj
 refused no_extent 1 'no extent' point.obj --name m --out none

@@ -102,7 +102,7 @@ static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, struct zs_ver
 
 #define NEAR_MIDDLE (1u << 20) /* sub-pixels; a power of two, so that one comparison tests x and y
                                   */
-_Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "inside the guard band");
+_Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "ZS_GUARD_PX: above 4096, or ZS_NO_FAST");
 
 /* Project vertices. A vertex that is projected to a step or more inside the guard band is inside it
  * in camera units too, because its error is 1/2 step and 2^-9. So only vertices far from the
