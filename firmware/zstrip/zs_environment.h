@@ -156,7 +156,7 @@ struct zs_sky_gradient {
 /* color  [4]: straight up, above the horizon, below the horizon, straight down. */
 void zs_sky_gradient(struct zs_sky_gradient *sky, const struct zs_rgb color[4]);
 
-/* Let a sky be seen by a camera.
+/* Let a sky be seen by a camera. An orthographic one sees the colour of one direction everywhere.
  *
  * viewport  the pass's. Without a pass, or where the pass's is all 0: a rectangle of 0, 0, width
  *           and height of the frame. Not NULL.
@@ -169,9 +169,9 @@ void zs_sky_look(struct zs_sky *sky, const struct zs_camera *camera, const struc
 /* ---- Environment maps --------------------------------------------------------------------- */
 
 /* A shader that looks its texture up by the normal in the camera's axes (matcap, sphere mapping):
- * chrome, or light from all sides at no cost. The image is that of a sphere which fills it: its
- * middle faces the camera, its upper edge is up. Nothing lights it. In a mirror pass the axes are
- * those of the mirrored picture.
+ * chrome, or light from all sides at no cost. The image is that of a sphere which fills it, up to
+ * the middles of its outermost texels: its middle faces the camera, its upper edge is up. Nothing
+ * lights it. In a mirror pass the axes are those of the mirrored picture.
  *
  * It needs mesh.normal (unit), material.texture, and mesh.uv_bits above log2 of the texture's width
  * and height, at most 15; 15 is best (else ZS_ERR_MESH). mesh.uv is not read.
