@@ -56,7 +56,7 @@
 #define SHOW_BUFFERS 2 /* strips in RAM. 1: nothing is drawn while pixels leave, unless they were converted */
 #endif
 #ifndef SHOW_ROWS_MAX
-#define SHOW_ROWS_MAX SHOW_HEIGHT /* one-bit panels: a multiple of 8; a scene's own rows are made one */
+#define SHOW_ROWS_MAX SHOW_HEIGHT /* one-bit panels: a multiple of 8, grey ones of 2; a scene's own rows are made one */
 #endif
 #ifndef SHOW_TRIS_MAX
 #define SHOW_TRIS_MAX ZS_POOL_MAX
@@ -96,7 +96,8 @@ struct show {
 extern const struct show show;
 
 #define SHOW_LEAST(a, b) ((a) < (b) ? (a) : (b))
-#define SHOW_WHOLE(rows) (SHOW_PIXEL_BITS > 1 ? (rows) : ((rows) + 7) / 8 * 8) /* pages of a one-bit panel */
+#define SHOW_GRAIN (SHOW_PIXEL_BITS > 4 ? 1 : SHOW_PIXEL_BITS > 1 ? 2 : 8) /* rows: a one-bit panel has pages */
+#define SHOW_WHOLE(rows) (((rows) + SHOW_GRAIN - 1) / SHOW_GRAIN * SHOW_GRAIN)
 #define SHOW_ARENA_BYTES(rows, tris, verts, varyings) \
     (ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, varyings, SHOW_BUFFERS) - \
      (SHOW_NO_KEYS ? ZS_DEPTH_BYTES(SHOW_WIDTH, rows) : 0u))

@@ -80,7 +80,7 @@ static int refuse_chip(const char *what, const char *path, int why)
 /* Lines of that name on the chip that the walk is at, from `*offset` on. 1: *offset is one. */
 static int named_line(struct walk *w, const char *name, uint32_t *offset, struct gpio_info *info)
 {
-    for (; *offset < w->n_lines; ++*offset)
+    for (; name[0] && *offset < w->n_lines; ++*offset) /* lines without a name have "" */
         if (!gpio_line_look(w->chip, *offset, info) && !strcmp(info->name, name))
             return 1;
     return 0;

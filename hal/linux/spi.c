@@ -127,8 +127,8 @@ static int refuse_message(uint32_t n, int why)
     if (why == ESHUTDOWN || why == ENODEV)
         return linux_fail(HAL_ERR_BUS, "%s is gone: its driver was taken away; load it again and start anew", name);
     if (why == EINVAL)
-        return linux_fail(HAL_ERR_BUS, "%s: its controller refuses %u bytes at this speed; ask for another speed", name,
-                          (unsigned)n);
+        return linux_fail(HAL_ERR_BUS, "%s: its controller refuses %u bytes at this speed; ask for another speed, or a "
+                          "smaller spidev.bufsiz", name, (unsigned)n);
     if (why == ETIMEDOUT)
         return linux_fail(HAL_ERR_TIMEOUT, "%s: its controller did not send %u bytes in its time; ask for another "
                           "speed", name, (unsigned)n);

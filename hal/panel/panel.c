@@ -187,7 +187,7 @@ static int clear(struct panel *p)
 static int rouse(struct panel *p)
 {
     const int err = run(p, p->config.type->wake);
-    pause_ms(p, err ? 0 : p->config.type->wake_ms);
+    pause_ms(p, p->config.type->wake_ms); /* also after an error: the command may have arrived */
     return err;
 }
 

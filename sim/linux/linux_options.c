@@ -35,6 +35,7 @@ static const struct sim_option table[] = {
     { "--speed", SIM_OPTION_COUNT, AT(speed), AT(has_speed), 1000, 1e9, .value = "HZ",
       .help = "clock of the bus (st7789 and gc9a01 32000000, ssd1351 20000000, ili9341 and ssd1306 10000000, ssd0323 "
               "4000000)" },
+    { "--mode", SIM_OPTION_COUNT, AT(mode), .words = "0|3", .help = "SPI mode: 3 for modules without a CS pin (0)" },
     { "--dc", SIM_OPTION_TEXT, AT(dc), .value = "LINE", .help = "" },
     { "--reset", SIM_OPTION_TEXT, AT(reset), .value = "LINE", .help = "" },
     { "--backlight", SIM_OPTION_TEXT, AT(backlight), .value = "LINE",

@@ -14,6 +14,7 @@ struct linux_options {
     const char *spi, *dc, *reset, *backlight, *te; /* as in struct linux_wiring */
     const char *scene, *model;                     /* one of them */
     long speed;                                    /* Hz */
+    long mode;                                     /* of SPI */
     long frames, step;                             /* frames 0: for ever, by the clock */
     long strip, subpixel;
     long size[2];                                  /* px, of the picture */

@@ -190,6 +190,7 @@ static int show_frame(uint32_t t, struct lost *lost)
         lost->in_a_row = 0;
         return SIM_OK;
     }
+    (void)zs_invalidate(&renderer, NULL); /* what broke the transfer may have reset the panel */
     (void)sim_refuse(NULL, 0, "frame %u: %s", (unsigned)t, words(err));
     lost->all++;
     return err > -100 || ++lost->in_a_row == FAILURES_MAX ? SIM_REFUSED : SIM_OK;
@@ -295,8 +296,8 @@ static int prepare(struct linux_wiring *wiring)
     int status = sim_panel_config(&options.panel, NULL, &glass, &model);
     if (status == SIM_OK)
         status = source_open(&source, &options);
-    *wiring = (struct linux_wiring){ options.spi, (uint32_t)options.speed, 0, options.dc, options.reset,
-                                     options.backlight, options.te };
+    *wiring = (struct linux_wiring){ options.spi, (uint32_t)options.speed, (uint8_t)options.mode, options.dc,
+                                     options.reset, options.backlight, options.te };
     linux_wire(wiring);
     use_te = options.te != NULL;
     glass.te = (uint8_t)use_te;

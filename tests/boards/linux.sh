@@ -44,7 +44,7 @@ free $user : $run $tiny $cubes 4
 noedge $user : $app --dc PANEL_DC --reset PANEL_RESET --te PANEL_BACKLIGHT $tiny $cubes 2
 term $user term=2500 : $run $tiny --scene cubes
 int $user int=2500 : $run $tiny --scene cubes
-dry $user : $run $tiny --scene cubes --dry-run
+dry $user : $run $tiny --mode 3 --scene cubes --dry-run
 held $user hold=4 : $run $tiny $cubes 1
 otherspi $user : /zstrip-linux --spi /dev/spidev7.0 --dc PANEL_DC --reset PANEL_RESET $tiny $cubes 1
 nospi $user hide=/dev/spidev0.0 : $run $tiny $cubes 1
@@ -236,7 +236,7 @@ sane_stats() {
 # --dry-run says what there is, and touches nothing.
 looks_only() {
     status_is dry 0
-    for words in /dev/spidev0.0 PANEL_DC PANEL_RESET PANEL_BACKLIGHT gpiochip0; do
+    for words in /dev/spidev0.0 'mode 3' PANEL_DC PANEL_RESET PANEL_BACKLIGHT gpiochip0; do
         said dry | grep -q -e "$words" || echo "not said: $words"
     done
     untouched dry

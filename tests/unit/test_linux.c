@@ -575,6 +575,7 @@ static void refusals(void **state)
           0 },
         { { spi, 1, 0, "0:8", 0, 0, 0 }, HAL_ERR_ARG, "0 to 7", "give one", 0, 0, 0, 0, 0 },
         { { spi, 1, 0, "0:FOO", 0, 0, 0 }, HAL_ERR_ARG, "no line 'FOO'", "numbers or names", 0, 0, 0, 0, 0 },
+        { { spi, 1, 0, "0:", 0, 0, 0 }, HAL_ERR_ARG, "no line ''", "numbers or names", 0, 0, 0, 0, 0 },
         { { spi, 1, 0, "7:1", 0, 0, 0 }, HAL_ERR_ARG, "/dev/gpiochip7", "name a chip", 0, 0, 0, 0, 0 },
         { { spi, 1, 0, "what:1", 0, 0, 0 }, HAL_ERR_ARG, "'what'", "name one", 0, 0, 0, 0, 0 },
         { { spi, 1, 0, "DC", "0:4", 0, 0 }, HAL_ERR_ARG, "D/C and RESET", "its own", 0, 0, 0, 0, 0 },

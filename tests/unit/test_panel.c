@@ -786,6 +786,18 @@ static void sleeping(void **state)
         assert_true(is_on(s, w.log[w.n - 1]));
         assert_int_equal(COUNT(&w, CODED(0x11)), s->wide);
         assert_int_equal(w.pause_us, s->wide ? 120000 : 0);
+        for (uint32_t fail = 1; s->wide && COUNT(&w, CODED(0x11)) < 2; fail++) { /* it fails, and may have arrived */
+            w.fail_at = 0;
+            assert_int_equal(panel_sleep(&panel), HAL_ERR_NONE);
+            w.fail_at = w.verbs + fail;
+            w.n = w.pause_us = 0;
+            assert_int_equal(panel_wake(&panel), HAL_ERR_BUS);
+            if (COUNT(&w, CODED(0x11)) == 1) { /* so the next call sends no set-up within the controller's 120 ms */
+                assert_int_equal(w.pause_us, 120000);
+                assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
+                break;
+            }
+        }
         assert_false(w.held);
         sim_kept_end(w.log);
     }
