@@ -361,10 +361,15 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
     sim_look_run(job, row, from, to);
 }
 
-static void on_light(uint16_t *out, int32_t n, uint32_t level, uint32_t step)
+static void count_lit(int32_t n)
 {
     sim_now.n[SIM_COST_shine]++;
     sim_now.n[SIM_COST_shine_px] += n;
+}
+
+static void on_light(uint16_t *out, int32_t n, uint32_t level, uint32_t step)
+{
+    count_lit(n);
     zs_shade_texture_flat.light(out, n, level, step);
 }
 
@@ -447,10 +452,8 @@ static void on_row(struct zs_job *job, const struct zs_row *row)
 /* Texels that are lit by another name than on_light. */
 static void count_gloss_lit(int32_t n)
 {
-    if (!sim_now.job || sim_now.job->sampler.unlit || sim_shader_of(sim_now.own)->of != &zs_shade_texture_gloss)
-        return;
-    sim_now.n[SIM_COST_shine]++;
-    sim_now.n[SIM_COST_shine_px] += n;
+    if (sim_now.job && !sim_now.job->sampler.unlit && sim_shader_of(sim_now.own)->of == &zs_shade_texture_gloss)
+        count_lit(n);
 }
 
 static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
@@ -473,6 +476,9 @@ static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const
 static void on_gather(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
     count_gloss_lit(n);
+    /* light between vertices is applied without a call, but to a single pixel */
+    if (n > 1 && sim_now.job && sim_now.job->shader->n_varyings == 3 && sim_now.job->shader->light == on_light)
+        count_lit(n);
     sim_now.n[SIM_COST_divide]++;
     sim_now.n[SIM_COST_divide_px] += n;
     texel_of(t->format)->fast_of->gather(t, out, n, at);
