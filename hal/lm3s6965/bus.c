@@ -25,7 +25,6 @@
 #include "spi_bus.h"
 
 #define TICKS_A_US (CLOCK_HZ / 1000000u)
-#define SPINS 20000u /* of some eight cycles: three milliseconds, for what takes microseconds */
 
 _Static_assert(SPI_DIVIDER >= 2 && SPI_DIVIDER <= 254 && SPI_DIVIDER % 2 == 0, "SPI_DIVIDER: even, 2 to 254");
 
@@ -70,19 +69,14 @@ static void put(uint8_t byte)
 /* Until the last bit is out. */
 static int drain(void)
 {
-    for (uint32_t i = 0; i < SPINS; i++)
-        if (!(SSI0_SR & SSI_BSY))
-            return HAL_ERR_NONE;
-    return HAL_ERR_TIMEOUT;
+    return spi_becomes(&SSI0_SR, SSI_BSY, 0) ? HAL_ERR_NONE : HAL_ERR_TIMEOUT;
 }
 
 static int put_all(const uint8_t *bytes, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        uint32_t spins = SPINS;
-        while (!(SSI0_SR & SSI_TNF))
-            if (--spins == 0)
-                return HAL_ERR_TIMEOUT;
+        if (!spi_becomes(&SSI0_SR, SSI_TNF, SSI_TNF))
+            return HAL_ERR_TIMEOUT;
         put(bytes[i]);
     }
     return drain();

@@ -27,7 +27,6 @@
 #define CHANNEL_CTRL (DMA_EN | DMA_INCR_READ | DMA_CHAIN_TO(CHANNEL_PANEL) | DMA_TREQ(DREQ_SPI0_TX))
 
 #define RESET_US 10000u
-#define SPINS 20000u /* of some eight cycles: a millisecond, for what takes microseconds */
 
 _Static_assert(SPI_DIVIDER >= 2 && SPI_DIVIDER <= 254 && SPI_DIVIDER % 2 == 0, "SPI_DIVIDER: even, 2 to 254");
 
@@ -55,22 +54,12 @@ static void spi_start(void)
 /* Until the last bit is out. */
 static int drain(void)
 {
-    for (uint32_t i = 0; i < SPINS; i++)
-        if (!(SPI0_SR & SPI_BSY))
-            return HAL_ERR_NONE;
-    return HAL_ERR_TIMEOUT;
+    return spi_becomes(&SPI0_SR, SPI_BSY, 0) ? HAL_ERR_NONE : HAL_ERR_TIMEOUT;
 }
 
 static int put_all(const uint8_t *bytes, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        uint32_t spins = SPINS;
-        while (!(SPI0_SR & SPI_TNF))
-            if (--spins == 0)
-                return HAL_ERR_TIMEOUT;
-        SPI0_DR = bytes[i];
-    }
-    return drain();
+    return spi_write(&SPI0_DR, &SPI0_SR, SPI_TNF, bytes, n) ? drain() : HAL_ERR_TIMEOUT;
 }
 
 int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
@@ -123,8 +112,7 @@ static void abort_channel(void)
 {
     DMA_INTE0 = 0;
     DMA_CHAN_ABORT = CHANNEL_BIT;
-    for (uint32_t i = 0; i < SPINS && (DMA_CHAN_ABORT & CHANNEL_BIT); i++) {
-    }
+    (void)spi_becomes(&DMA_CHAN_ABORT, CHANNEL_BIT, 0);
     DMA_INTS0 = CHANNEL_BIT;
     DMA_INTE0 = CHANNEL_BIT;
 }

@@ -21,6 +21,29 @@ void spi_bus_end(int err);
 /* 1 from spi_wire_begin until spi_bus_end. ISR-safe. */
 int spi_bus_running(void);
 
+#define SPI_SPINS 20000u /* looks at a register of some eight cycles each: a millisecond or three, for microseconds */
+
+/* Wait until the bits of `mask` in a register are `value`. Return 0: they never were. */
+static inline int spi_becomes(const volatile uint32_t *reg, uint32_t mask, uint32_t value)
+{
+    for (uint32_t i = 0; i < SPI_SPINS; i++)
+        if ((*reg & mask) == value)
+            return 1;
+    return 0;
+}
+
+/* Write n bytes to a block's data register, each when the bit `room` of its status is 1. Return 0: it never was. */
+static inline int spi_write(volatile uint32_t *data, const volatile uint32_t *status, uint32_t room,
+                            const uint8_t *bytes, uint32_t n)
+{
+    for (; n; n--) {
+        if (!spi_becomes(status, room, room))
+            return 0;
+        *data = *bytes++;
+    }
+    return 1;
+}
+
 /* ---- What a board gives spi_bus.c ----------------------------------------------------------------------------- */
 
 /* CS low, ready for spi_wire_send. */

@@ -29,7 +29,6 @@
 #include "spi_bus.h"
 
 #define RESET_US 10000u
-#define SPINS 20000u    /* of some eight cycles: a millisecond, for what takes microseconds */
 
 #define DIVIDER_BITS                                                                                        \
     (SPI_DIVIDER == 2 ? 0u : SPI_DIVIDER == 4 ? 1u : SPI_DIVIDER == 8 ? 2u : SPI_DIVIDER == 16 ? 3u         \
@@ -67,28 +66,16 @@ static void spi_start(void)
     SPI1_CR1 = SPI_SET_UP;
 }
 
-static int becomes(uint32_t mask, uint32_t value)
-{
-    for (uint32_t i = 0; i < SPINS; i++)
-        if ((SPI1_SR & mask) == value)
-            return 1;
-    return 0;
-}
-
 /* Until the last bit is out. 28.3.8: first TXE, as BSY rises some cycles after a byte was written. */
 static int drain(void)
 {
-    return becomes(SPI_ROOM, SPI_ROOM) && becomes(SPI_BUSY, 0) ? HAL_ERR_NONE : HAL_ERR_TIMEOUT;
+    return spi_becomes(&SPI1_SR, SPI_ROOM, SPI_ROOM) && spi_becomes(&SPI1_SR, SPI_BUSY, 0) ? HAL_ERR_NONE
+                                                                                           : HAL_ERR_TIMEOUT;
 }
 
 static int put_all(const uint8_t *bytes, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        if (!becomes(SPI_ROOM, SPI_ROOM))
-            return HAL_ERR_TIMEOUT;
-        SPI1_DR = bytes[i];
-    }
-    return drain();
+    return spi_write(&SPI1_DR, &SPI1_SR, SPI_ROOM, bytes, n) ? drain() : HAL_ERR_TIMEOUT;
 }
 
 int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
@@ -117,8 +104,7 @@ void spi_wire_release(void)
 static void stream_stop(void)
 {
     DMA_S3CR = 0;
-    for (uint32_t i = 0; i < SPINS && (DMA_S3CR & DMA_EN); i++) {
-    }
+    (void)spi_becomes(&DMA_S3CR, DMA_EN, 0);
     DMA_LIFCR = DMA_S3_FLAGS;
 }
 

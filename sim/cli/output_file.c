@@ -296,6 +296,15 @@ int sim_output_commit(struct sim_output *out, size_t n)
     return status;
 }
 
+int sim_output_end(int status, struct sim_output *out, size_t n)
+{
+    if (status == SIM_OK)
+        return sim_output_commit(out, n);
+    while (n > 0)
+        sim_output_abort(&out[--n]);
+    return status;
+}
+
 int sim_output_folder(const char *path, size_t most)
 {
     char part[4096];

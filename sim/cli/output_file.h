@@ -33,6 +33,9 @@ int sim_output_open(struct sim_output *out, const char *name);
  * SIM_OK; SIM_REFUSED, said why. Outputs are closed and free in either case. */
 int sim_output_commit(struct sim_output *out, size_t n);
 
+/* sim_output_commit where status is SIM_OK; else close and remove all n, and return status. */
+int sim_output_end(int status, struct sim_output *out, size_t n);
+
 /* Close and remove. Harmless on an output that is not open. Also done for every open output when
  * zsim exits or is interrupted; those of a zsim that was killed are removed when the next one opens an output in the
  * same folder. */

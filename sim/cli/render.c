@@ -418,11 +418,7 @@ static int write_files(const struct job *job)
         if (status == SIM_OK)
             status = write_one(out[n++].file, job, i, name[i]);
     }
-    if (status == SIM_OK)
-        return sim_output_commit(out, n);
-    while (n > 0)
-        sim_output_abort(&out[--n]);
-    return status;
+    return sim_output_end(status, out, n);
 }
 
 /* Before the work, what can be known about the files. */

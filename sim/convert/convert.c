@@ -113,11 +113,7 @@ static int write_files(const struct sim_conversion *c, char *path[N_OUTPUTS])
         else
             sim_convert_map(f, c);
     }
-    if (status == SIM_OK)
-        return sim_output_commit(out, n);
-    while (n > 0)
-        sim_output_abort(&out[--n]);
-    return status;
+    return sim_output_end(status, out, n);
 }
 
 static int write_all(const struct sim_conversion *c)

@@ -326,8 +326,5 @@ int sim_moving_save(const char *path, const struct sim_moving *m)
     else
         status = sim_moving_png(out.file, path, m);
     sim_progress_end();
-    if (status == SIM_OK)
-        return sim_output_commit(&out, 1);
-    sim_output_abort(&out);
-    return status;
+    return sim_output_end(status, &out, 1);
 }

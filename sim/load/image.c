@@ -184,10 +184,7 @@ int sim_png_save(const char *path, uint32_t width, uint32_t height, const uint8_
     if (status != SIM_OK)
         return status;
     status = sim_png_write(out.file, path, width, height, rgb);
-    if (status == SIM_OK)
-        return sim_output_commit(&out, 1);
-    sim_output_abort(&out);
-    return status;
+    return sim_output_end(status, &out, 1);
 }
 
 int sim_picture_save(const struct sim_picture *p, const char *png, const char *raw)

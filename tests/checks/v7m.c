@@ -441,6 +441,14 @@ static int vertices(uint32_t n[3])
     return 0;
 }
 
+static void end_if(int wrong, int status, const char *text)
+{
+    if (wrong) {
+        hal_write(text);
+        hal_exit(status);
+    }
+}
+
 int main(void)
 {
     uint32_t n[3] = { 0, 0, 0 }, t[3] = { 0, 0, 0 }, v[3] = { 0, 0, 0 }, outcome[ZS_OUTCOMES] = { 0 };
@@ -448,29 +456,15 @@ int main(void)
         hal_exit(2);
     r.vert = pool;
     r.tri = tri;
-    if (lists(n)) {
-        hal_write("lists of triangles differ\n");
-        hal_exit(1);
-    }
-    if (textured(t)) {
-        hal_write("lists of textured triangles differ\n");
-        hal_exit(5);
-    }
-    if (vertices(v)) {
-        hal_write("vertices differ\n");
-        hal_exit(6);
-    }
-    if (meshes(outcome)) {
-        hal_write("meshes differ\n");
-        hal_exit(3);
-    }
+    end_if(lists(n), 1, "lists of triangles differ\n");
+    end_if(textured(t), 5, "lists of textured triangles differ\n");
+    end_if(vertices(v), 6, "vertices differ\n");
+    end_if(meshes(outcome), 3, "meshes differ\n");
     /* each way is one that was looked at */
     if (n[0] < 2u * LISTS || n[1] < LISTS / 10u || t[0] < LISTS || t[1] < LISTS / 10u ||
         v[0] < 4u * VIEWS || v[1] < VIEWS || v[2] < VIEWS / 2u ||
         outcome[ZS_OUTCOME_DRAWN] < MESHES || outcome[ZS_OUTCOME_OFFSCREEN] < MESHES / 10u ||
-        outcome[ZS_OUTCOME_EMPTY] < MESHES / 50u || outcome[ZS_OUTCOME_INDEX] < MESHES / 10u) {
-        hal_write("outcomes are seldom\n");
-        hal_exit(4);
-    }
+        outcome[ZS_OUTCOME_EMPTY] < MESHES / 50u || outcome[ZS_OUTCOME_INDEX] < MESHES / 10u)
+        end_if(1, 4, "outcomes are seldom\n");
     hal_exit(0);
 }

@@ -368,6 +368,22 @@ static void shows_the_worst_case(void **state)
     }
 }
 
+/* Frames of the scene with a pool for all of it, and with one of max_tris, which show the same. */
+static struct both {
+    struct zs_stats all, cut;
+} same_in_a_pool(struct zs_config *c, const struct zs_camera *camera, uint16_t max_tris)
+{
+    struct picture all = picture_draw(c, &scene, camera);
+    c->max_tris = max_tris;
+    struct picture cut = picture_draw(c, &scene, camera);
+    const struct both stats = { all.stats, cut.stats };
+    assert_int_equal(all.err, ZS_OK);
+    assert_int_equal(cut.err, ZS_OK);
+    assert_memory_equal(all.color, cut.color, (size_t)c->width * c->height * sizeof all.color[0]);
+    PICTURES_FREE(&all, &cut);
+    return stats;
+}
+
 /* A hundred triangles that cross each other in 8 x 8 pixels, with records for their thousands of pieces: that asks no
  * more than all triangles at all pixels, once for each size of a rectangle, and shows what a pool of two shows, which
  * has no room for an order. */
@@ -385,15 +401,9 @@ static void is_halved_where_pixels_take_less(void **state)
         }
         mesh_set(TRIS);
         c.method = both ? &zs_method_coverage : &zs_method_depthsort;
-        struct picture is = picture_draw(&c, &scene, &camera);
-        c.max_tris = 2;
-        struct picture want = picture_draw(&c, &scene, &camera);
-        assert_int_equal(is.err, ZS_OK);
-        assert_int_equal(want.err, ZS_OK);
-        assert_memory_equal(is.color, want.color, 8 * 8 * sizeof is.color[0]);
-        printf("%d that cross in 8 x 8 pixels: %u pairs, %u splits\n", TRIS, is.stats.pairs, is.stats.splits);
-        assert_true(is.stats.pairs <= 7 * 8 * 8 * TRIS);
-        PICTURES_FREE(&is, &want);
+        const struct zs_stats all = same_in_a_pool(&c, &camera, 2).all;
+        printf("%d that cross in 8 x 8 pixels: %u pairs, %u splits\n", TRIS, all.pairs, all.splits);
+        assert_true(all.pairs <= 7 * 8 * 8 * TRIS);
     }
 }
 
@@ -418,15 +428,9 @@ static void leaves_out_what_is_beside_a_rectangle(void **state)
         }
         mesh_set(TRIS);
         c.method = both ? &zs_method_coverage : &zs_method_depthsort;
-        struct picture want = picture_draw(&c, &scene, &camera);
-        c.max_tris = 60;
-        struct picture is = picture_draw(&c, &scene, &camera);
-        assert_int_equal(is.err, ZS_OK);
-        assert_int_equal(want.err, ZS_OK);
-        assert_memory_equal(is.color, want.color, SIDE * SIDE * sizeof is.color[0]);
-        printf("%d bars in a pool of 60: %u walks\n", TRIS, is.stats.passes);
-        assert_true(is.stats.passes <= 200); /* by boxes alone 2,124: each pixel by itself */
-        PICTURES_FREE(&is, &want);
+        const uint32_t passes = same_in_a_pool(&c, &camera, 60).cut.passes;
+        printf("%d bars in a pool of 60: %u walks\n", TRIS, passes);
+        assert_true(passes <= 200); /* by boxes alone 2,124: each pixel by itself */
     }
 }
 

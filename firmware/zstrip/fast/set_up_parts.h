@@ -157,4 +157,25 @@ void zs_set_up_cuts_part(void); /* of zs_fast_edges, on an RP2040: the rows from
     "ldrh r0, [r3, #10]\n\tcmp r0, r5\n\tbne 1f\n\tstr r3, [r4, %[tri]]\n\tb " next "\n1:\n\t"
 #define ZS_CHAIN_OF [last] "i"(AT(row_last)), [y1] "i"(AT(y1)), [tri] "i"(AT(tri))
 
+/* The end of zs_fast.draw, of which 9b draws a triangle of the job at the stack's top, which has
+ * `bytes`. 3: its rows are drawn, r0 pixels of them tested: count both, and go on with rows that
+ * are left, and with the next triangle. 11: r0 is 0 where it is declined. stats, chain: where
+ * their offsets are. */
+#define ZS_DRAWN(stats, chain, bytes)                                                              \
+    "3:\n\tldr r4, [sp]\n\tldr r3, [r4, %[r]]\n\tldr r2, " stats "\n\tadds r3, r2\n\t"             \
+    "ldr r2, [r3]\n\tadds r2, #1\n\tstr r2, [r3]\n\t"                                              \
+    "ldr r2, [r3, %[tested]]\n\tadds r2, r0\n\tstr r2, [r3, %[tested]]\n\t"                        \
+    "ldr r0, [r4, %[end]]\n\tldr r1, [r4, %[row_end]]\n\tcmp r0, r1\n\tbge 7f\n\t"                 \
+    "movs r0, r4\n\tbl go_on\n"                                                                   \
+    "7:\n\tldr r4, [sp]\n\t" ZS_CHAIN(chain, "9b") "movs r0, #1\n4:\n\tadd sp, #" bytes "\n\t"    \
+    ZS_RESTORED "11:\n\tcmp r0, #0\n\tbeq 4b\n\tb 7b\n"
+/* 6: the triangle is drawn by otherwise(job). */
+#define ZS_OTHERWISE(stats)                                                                        \
+    "6:\n\tldr r0, [sp]\n\tldr r1, [r0, %[r]]\n\tldr r2, " stats "\n\tldr r3, [r1, r2]\n\t"        \
+    "adds r3, #1\n\tstr r3, [r1, r2]\n\tbl otherwise\n\tb 7b\n\t"
+#define ZS_DRAWN_OF                                                                                \
+    [stats] "i"(offsetof(struct zs_renderer, stats.tris_setup)),                                   \
+        [tested] "i"(offsetof(struct zs_stats, pixels_tested) -                                    \
+                     offsetof(struct zs_stats, tris_setup))
+
 #endif

@@ -17,6 +17,7 @@
 #define ZS_SMALL_H
 
 #include "core/plane.h"
+#include "shade/texture.h"
 #include <stddef.h>
 
 /* A small triangle in its strip, for set-up. Positions and differences are q24_8. */
@@ -83,6 +84,16 @@ struct zs_texel_rows {
 
 #endif
 
+/* Set the light of a face. Return 0 if the shader has light at the vertices. */
+ZS_ALWAYS_INLINE int zs_small_face_light(const struct zs_job *job, struct zs_texel_rows *w)
+{
+    if (job->shader->n_varyings != 2)
+        return 0;
+    w->light = ((uint32_t)job->tri->paint << 16) + ZS_TEXTURE_LIGHT_HALF;
+    w->light_right = w->light_down = 0;
+    return 1;
+}
+
 enum zs_small_outcome {
     ZS_SMALL_NOT = 0,  /* declined */
     ZS_SMALL_DONE = 1, /* no row in the strip */
@@ -141,30 +152,41 @@ ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s)
     return 1;
 }
 
+/* Return 1 if a triangle has samples beside the viewport. ax: its top vertex; dx1, dx2: the others
+ * less it. */
+ZS_ALWAYS_INLINE int zs_small_is_cut(int32_t ax, int32_t dx1, int32_t dx2, int32_t width)
+{
+    const int32_t least = zs_min32(dx1, dx2), most = zs_max32(dx1, dx2);
+    return zs_first_sample(ax + (least & least >> 31)) < 0 ||
+           zs_first_sample(ax + (most & ~(most >> 31))) > width;
+}
+
+/* Set job->row_last, and *row to a triangle's first row in [y0, y1). Return how many it has there;
+ * none: 0 or less. ay: its top vertex; dy: the lowest less that. */
+ZS_ALWAYS_INLINE int32_t zs_small_rows(struct zs_job *job, int32_t ay, int32_t dy, int32_t y0,
+                                       int32_t y1, int32_t *row)
+{
+    job->row_last = zs_first_sample(ay + dy);
+    *row = zs_max32(zs_first_sample(ay), y0);
+    return zs_min32(job->row_last, y1) - *row;
+}
+
 /* Find the triangle's rows in the strip, and the key at column 0 of the first one. Decline it if it
  * is cut by a side of the viewport. Sets job->row_last unless it declines. */
 ZS_ALWAYS_INLINE enum zs_small_outcome zs_small_place(struct zs_job *job, struct zs_small *s)
 {
     ZS_ANEW(s->a);
     const int32_t ax = s->a->x, ay = s->a->y, column = ax >> ZS_SUBPX_BITS;
-    if (column < ZS_TINY_SIDE || column > job->width - ZS_TINY_SIDE) {
-        const int32_t least = zs_min32(s->dx1, s->dx2), most = zs_max32(s->dx1, s->dx2);
-        if (zs_first_sample(ax + (least & least >> 31)) < 0 ||
-            zs_first_sample(ax + (most & ~(most >> 31))) > job->width)
-            return ZS_SMALL_NOT;
-    }
-    const int32_t last = zs_first_sample(ay + zs_max32(s->dy1, s->dy2)),
-                  row = zs_max32(zs_first_sample(ay), job->y0);
-    const int32_t n = zs_min32(last, job->y1) - row;
-    job->row_last = last;
-    if (n <= 0)
+    if ((column < ZS_TINY_SIDE || column > job->width - ZS_TINY_SIDE) &&
+        zs_small_is_cut(ax, s->dx1, s->dx2, job->width))
+        return ZS_SMALL_NOT;
+    s->n = zs_small_rows(job, ay, zs_max32(s->dy1, s->dy2), job->y0, job->y1, &s->row);
+    if (s->n <= 0)
         return ZS_SMALL_DONE;
     s->column = column;
-    s->row = row;
-    s->n = n;
     /* |gx|, |up| <= 2^27; x is 2^14 .. 2^14.1, 0 <= off < 2^14: from is below 2^42.1 */
     s->x = (ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF;
-    s->off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
+    s->off = s->row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
     /* to column 0 and row, negative, a half added */
     const int64_t from = zs_mul_ss(s->gx, s->x) - zs_mul_ss(s->gy, s->off) - 128;
     s->key = s->a->d + 0x8000u + (uint32_t)(-from >> 8);

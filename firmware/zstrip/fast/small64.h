@@ -117,23 +117,16 @@ ZS_ALWAYS_INLINE enum zs_small_outcome zs_small64_place(struct zs_job *job,
                                                         struct zs_small64 *s)
 {
     const int32_t ax = s->ax, ay = s->ay, column = ax >> ZS_SUBPX_BITS;
-    if (column < ZS_TINY_SIDE || column - ZS_TINY_SIDE > of->side) {
-        const int32_t dx1 = (int32_t)s->dx1, dx2 = (int32_t)s->dx2, least = zs_min32(dx1, dx2),
-                      most = zs_max32(dx1, dx2);
-        if (zs_first_sample(ax + (least & least >> 31)) < 0 ||
-            zs_first_sample(ax + (most & ~(most >> 31))) > of->width)
-            return ZS_SMALL_NOT;
-    }
-    const int32_t last = zs_first_sample(ay + zs_max32((int32_t)s->dy1, (int32_t)s->dy2)),
-                  row = zs_max32(zs_first_sample(ay), of->y0), n = zs_min32(last, of->y1) - row;
-    job->row_last = last;
-    if (n <= 0)
+    if ((column < ZS_TINY_SIDE || column - ZS_TINY_SIDE > of->side) &&
+        zs_small_is_cut(ax, (int32_t)s->dx1, (int32_t)s->dx2, of->width))
+        return ZS_SMALL_NOT;
+    const int32_t dy = zs_max32((int32_t)s->dy1, (int32_t)s->dy2);
+    s->n = zs_small_rows(job, ay, dy, of->y0, of->y1, &s->row);
+    if (s->n <= 0)
         return ZS_SMALL_DONE;
     s->column = column;
-    s->row = row;
-    s->n = n;
     s->x = (ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF;
-    s->off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
+    s->off = s->row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
     return ZS_SMALL_ROWS;
 }
 

@@ -84,11 +84,8 @@ static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small64 *
                              const uint16_t *a, const uint16_t *b, const uint16_t *c,
                              struct zs_texel_rows *w)
 {
-    if (job->shader->n_varyings == 2) {
-        w->light = ((uint32_t)job->tri->paint << 16) + ZS_TEXTURE_LIGHT_HALF;
-        w->light_right = w->light_down = 0;
+    if (zs_small_face_light(job, w))
         return 1;
-    }
     const int32_t d1 = b[2] - a[2], d2 = c[2] - a[2]; /* |.| < 2^16 */
     if (!zs_texture_light_affine(zs_range32(d1, d2), s->change, job->r->view.key_slow))
         return 0;

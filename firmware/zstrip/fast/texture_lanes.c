@@ -182,24 +182,14 @@ ZS_NAKED int zs_lanes_texture_draw(struct zs_job *job __attribute__((unused)))
         "adds r1, r0\n\tldr r2, 9f + 8\n\tadds r2, r0\n\tldr r3, [sp, #4]\n\tldr r4, [sp, #8]\n\t"
         "blx r7\n\tb 3f\n"
         "2:\n\tmovs r0, #0\n"
-        "3:\n\tldr r4, [sp]\n\tldr r3, [r4, %[r]]\n\tldr r2, 9f + 12\n\tadds r3, r2\n\t"
-        "ldr r2, [r3]\n\tadds r2, #1\n\tstr r2, [r3]\n\t"
-        "ldr r2, [r3, %[tested]]\n\tadds r2, r0\n\tstr r2, [r3, %[tested]]\n\t"
-        "ldr r0, [r4, %[end]]\n\tldr r1, [r4, %[row_end]]\n\tcmp r0, r1\n\tbge 7f\n\t"
-        "movs r0, r4\n\tbl go_on\n"
-        "7:\n\tldr r4, [sp]\n\t" ZS_CHAIN("9f + 16", "9b") "movs r0, #1\n4:\n\tadd sp, #12\n\t"
-        ZS_RESTORED
-        "11:\n\tcmp r0, #0\n\tbeq 4b\n\tb 7b\n"
-        "6:\n\tldr r0, [sp]\n\tldr r1, [r0, %[r]]\n\tldr r2, 9f + 12\n\tldr r3, [r1, r2]\n\t"
-        "adds r3, #1\n\tstr r3, [r1, r2]\n\tbl otherwise\n\tb 7b\n\t"
+        ZS_DRAWN("9f + 12", "9f + 16", "12")
+        ZS_OTHERWISE("9f + 12")
         ".align 2\n9:\n\t.word %c[set], %c[lanes], %c[light], %c[stats], %c[chain]\n"
         :
-        : ZS_CHAIN_OF, [chain] "i"(AT(chain)), [rows] "i"(ZS_SET_UP_ROWS),
+        : ZS_CHAIN_OF, ZS_DRAWN_OF, [chain] "i"(AT(chain)), [rows] "i"(ZS_SET_UP_ROWS),
           [end] "i"(AT(cut_end)), [row_end] "i"(AT(row_end)),
           [r] "i"(AT(r)), [set] "i"(AT(kept.set)), [lanes] "i"(AT(kept.lanes)),
-          [light] "i"(AT(kept.light)), [stats] "i"(offsetof(struct zs_renderer, stats.tris_setup)),
-          [tested] "i"(offsetof(struct zs_stats, pixels_tested) -
-                       offsetof(struct zs_stats, tris_setup)));
+          [light] "i"(AT(kept.light)));
 }
 
 #endif

@@ -97,6 +97,16 @@ const wrongOf = (s, bars) => {
 };
 const middle = (p) => p.points.reduce((sum, [x, y]) => sum + p.z + p.zx * x + p.zy * y, 0) / p.points.length;
 
+/* Draw a pixel, and mark it, if it is nearer than what is there. */
+function put(s, i, z, p) {
+    if (z >= s.depth[i])
+        return false;
+    s.depth[i] = z;
+    s.color[i] = p;
+    s.mark.add(i);
+    return true;
+}
+
 export function* zbuffer(bars) {
     const s = empty();
     s.depth.fill(FAR);
@@ -107,14 +117,10 @@ export function* zbuffer(bars) {
             behind = 0;
         s.mark = new Set();
         for (const [i, z] of pixelsOf(p)) {
-            if (z < s.depth[i]) {
-                s.depth[i] = z;
-                s.color[i] = p;
-                s.mark.add(i);
+            if (put(s, i, z, p))
                 near++;
-            } else {
+            else
                 behind++;
-            }
         }
         s.say = `${p.name}: ${near} pixels are nearer than what is there, ${behind} lie behind and are left alone.`;
         yield s;
@@ -172,11 +178,7 @@ export function* hiz(bars) {
                 continue;
             }
             for (const [i, z] of hits)
-                if (z < s.depth[i]) {
-                    s.depth[i] = z;
-                    s.color[i] = p;
-                    s.mark.add(i);
-                }
+                put(s, i, z, p);
             const all = s.depth.filter((_, i) => Math.floor(i / 32) * 2 + Math.floor((i % N) / 4) === t);
             s.tiles[t] = Math.max(...all);
         }
