@@ -178,7 +178,7 @@ int zs_lighting_check(const struct zs_lighting *lighting);
 /* For shaders of your own: the light at a point, as zs_shade_lit has it. out[3]: red, green, blue,
  * 65535 is full, of a surface of colour rgb.
  * s       the argument of a vertex or face stage, whose material is a struct zs_lit_material
- * p       the point, 1/256 mesh steps, |.| < 2^24
+ * p       the point, 1/256 mesh steps, |.| < 2^24; of a vertex: zs_mesh_place (zs_shader.h)
  * n       the normal there, mesh axes; any length */
 void zs_lit_color(const struct zs_shading *s, struct zs_rgb rgb, const int32_t p[3],
                   const zs_q1_15 n[3], uint16_t out[3]);

@@ -102,6 +102,12 @@ uint32_t zs_light_intensity(const struct zs_shading *s, const zs_q1_15 n[3]);
 /* Compute the unit normal of face t in mesh space: mesh->face_normal if it is given, else the cross
  * product of two edges, normalised. A face without area has the normal 0 0 0. */
 void zs_light_face_normal(zs_q1_15 out[3], const struct zs_mesh *mesh, uint32_t t);
+/* Set out to vertex v of a mesh, 1/256 steps, |.| <= 2^23: pos, with pos_lo if there is one. */
+static inline void zs_mesh_place(const struct zs_mesh *mesh, uint32_t v, int32_t out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = mesh->pos[v][k] * 256 + (mesh->pos_lo ? mesh->pos_lo[v][k] : 0);
+}
 /* Multiply a colour channel by an intensity (uq16_16): c * 257 * intensity / 2^16, rounded to
  * nearest, clamped to 65535, which is the full channel. */
 static inline uint32_t zs_light_channel(uint8_t c, uint32_t intensity)

@@ -54,8 +54,7 @@ static inline void zs_gloss_vertex(const struct zs_shading *s, uint32_t v, uint1
 {
     const struct zs_mesh *const mesh = s->instance->mesh;
     int32_t p[3];
-    for (int k = 0; k < 3; k++)
-        p[k] = mesh->pos[v][k] * 256 + (mesh->pos_lo ? mesh->pos_lo[v][k] : 0);
+    zs_mesh_place(mesh, v, p);
     zs_lit_sum_at(s, p, mesh->normal[v], sum);
     uv[0] = (uint16_t)(mesh->uv[v][0] + 32768);
     uv[1] = (uint16_t)(mesh->uv[v][1] + 32768);

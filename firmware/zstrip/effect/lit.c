@@ -43,19 +43,12 @@ void zs_lit_color(const struct zs_shading *s, struct zs_rgb rgb, const int32_t p
     zs_lit_mix(zs_lit_material_of(s->instance), rgb, &sum, out);
 }
 
-/* Vertex v in 1/256 steps. */
-static void vertex_at(const struct zs_mesh *mesh, uint32_t v, int32_t p[3])
-{
-    for (int k = 0; k < 3; k++)
-        p[k] = mesh->pos[v][k] * 256 + (mesh->pos_lo ? mesh->pos_lo[v][k] : 0);
-}
-
 static void vertex_color(const struct zs_shading *s, uint32_t v, uint16_t out[3])
 {
     const struct zs_mesh *const mesh = s->instance->mesh;
     const struct zs_rgb rgb = mesh->vertex_rgb ? mesh->vertex_rgb[v] : s->instance->material->rgb;
     int32_t p[3];
-    vertex_at(mesh, v, p);
+    zs_mesh_place(mesh, v, p);
     zs_lit_color(s, rgb, p, mesh->normal[v], out);
 }
 
@@ -69,7 +62,7 @@ static uint16_t lit_face(const struct zs_shading *s, uint32_t t)
     zs_q1_15 n[3];
     uint16_t c[3];
     for (int i = 0; i < 3; i++) {
-        vertex_at(mesh, mesh->tri[t][i], corner);
+        zs_mesh_place(mesh, mesh->tri[t][i], corner);
         for (int k = 0; k < 3; k++)
             p[k] += corner[k]; /* < 2^25 */
     }

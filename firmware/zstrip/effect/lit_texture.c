@@ -18,8 +18,7 @@ static void vertex_light(const struct zs_shading *s, uint32_t v, struct zs_rgb r
 {
     const struct zs_mesh *const mesh = s->instance->mesh;
     int32_t p[3];
-    for (int k = 0; k < 3; k++)
-        p[k] = mesh->pos[v][k] * 256 + (mesh->pos_lo ? mesh->pos_lo[v][k] : 0);
+    zs_mesh_place(mesh, v, p);
     zs_lit_color(s, rgb, p, mesh->normal[v], out);
 }
 

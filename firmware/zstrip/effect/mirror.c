@@ -23,6 +23,7 @@
 #include "core/view.h"
 #include "core/xform.h"
 #include "zs_environment.h"
+#include "zs_shader.h"
 
 #define UNIT ((int64_t)1 << 16)   /* a world unit, q48_16 */
 #define BLIND 1                   /* the eye is not in front of the mirror */
@@ -196,13 +197,6 @@ int zs_mirror_plane(struct zs_mirror *mirror, const int32_t point[3], const int3
     return ZS_OK;
 }
 
-/* A vertex in 1/256 steps, |.| < 2^23. */
-static void place(int32_t out[3], const struct zs_mesh *mesh, uint32_t v)
-{
-    for (int k = 0; k < 3; k++)
-        out[k] = mesh->pos[v][k] * 256 + (mesh->pos_lo ? mesh->pos_lo[v][k] : 0);
-}
-
 /* Find the normal of the largest triangle, in mesh axes, and a point of it. Return ZS_ERR_MESH if
  * no triangle has an area, or a number is that of no vertex. */
 static int largest(zs_q2_30 normal[3], int32_t point[3], const struct zs_mesh *mesh)
@@ -214,7 +208,7 @@ static int largest(zs_q2_30 normal[3], int32_t point[3], const struct zs_mesh *m
         for (int i = 0; i < 3; i++) {
             if (mesh->tri[t][i] >= mesh->n_verts)
                 return ZS_ERR_MESH;
-            place(p[i], mesh, mesh->tri[t][i]);
+            zs_mesh_place(mesh, mesh->tri[t][i], p[i]);
         }
         for (int k = 0; k < 3; k++) {
             e[0][k] = p[1][k] - p[0][k]; /* |.| < 2^24 */
@@ -247,7 +241,7 @@ int zs_mirror_of(struct zs_mirror *mirror, const struct zs_instance *in, uint32_
     const int64_t at = zs_dot(n, p); /* q2_30 * 1/256 step, |.| < 2^54 */
     for (uint32_t t = 0; t < mesh->n_tris; t++)
         for (int i = 0; i < 3; i++) {
-            place(p, mesh, mesh->tri[t][i]);
+            zs_mesh_place(mesh, mesh->tri[t][i], p);
             if (zs_size64(zs_dot(n, p) - at) > (int64_t)((uint64_t)tolerance << 30))
                 return ZS_ERR_MESH;
         }

@@ -181,9 +181,9 @@ static void flatten(const struct flat *f, int16_t (*pos)[3], const struct zs_mes
 {
     for (uint32_t v = 0; v < mesh->n_verts; v++) {
         int32_t d[3];
+        zs_mesh_place(mesh, v, d);
         for (int k = 0; k < 3; k++)
-            d[k] = (mesh->pos[v][k] - mesh->center[k]) * 256 +
-                   (mesh->pos_lo ? mesh->pos_lo[v][k] : 0);
+            d[k] -= mesh->center[k] * 256;
         const int32_t by = f->point ? factor(f, d) : 1 << L_BITS;
         for (int k = 0; k < 3; k++) {
             const int32_t part = (int32_t)(zs_dot(f->m + 3 * k, d) >> f->cut);

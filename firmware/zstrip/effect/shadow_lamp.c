@@ -55,8 +55,7 @@ static void vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
     const struct zs_mesh *const mesh = s->instance->mesh;
     struct zs_lit_sum sum;
     int32_t p[3];
-    for (int k = 0; k < 3; k++)
-        p[k] = mesh->pos[v][k] * 256 + (mesh->pos_lo ? mesh->pos_lo[v][k] : 0);
+    zs_mesh_place(mesh, v, p);
     zs_lit_sum_at(s, p, mesh->normal[v], &sum);
     zs_shadow_vertex(s, material_of(s->instance)->map, v, out);
     out[3] = lamp_light(zs_lit_material_of(s->instance), &sum);

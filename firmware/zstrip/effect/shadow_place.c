@@ -19,9 +19,9 @@ void zs_shadow_vertex(const struct zs_shading *s, const struct zs_shadow_map *ma
     const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
     const int64_t fine = 1 << (17 - zs_shadow_cube_log2(mesh));
     int32_t d[3], e[3];
+    zs_mesh_place(mesh, v, d);
     for (int k = 0; k < 3; k++) /* beside the middle, 2^-25 of half the cube; the rest is held */
-        d[k] = (int32_t)zs_held64(((mesh->pos[v][k] - mesh->center[k]) * 256 +
-                                   (mesh->pos_lo ? mesh->pos_lo[v][k] : 0)) * fine, 1 << 25);
+        d[k] = (int32_t)zs_held64((d[k] - mesh->center[k] * 256) * fine, 1 << 25);
     for (int k = 0; k < 3; k++)
         e[k] = (int32_t)zs_round_shift(zs_dot(rot + 3 * k, d), 30);
     for (int k = 0; k < 3; k++) {

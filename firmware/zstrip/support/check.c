@@ -9,6 +9,7 @@
 #include "core/cold.h"
 #include "zs_check.h"
 #include "zs_method.h"
+#include "zs_shader.h"
 
 static const char *const flaws[] = {
     "no flaw",
@@ -58,8 +59,9 @@ static int aligned(const void *p, size_t bytes)
 /* Compute the vector from a point, in steps, to a vertex; out in 1/256 step. |.| < 2^24 */
 static void vertex_from(const struct zs_mesh *m, uint32_t v, const int16_t point[3], int32_t out[3])
 {
+    zs_mesh_place(m, v, out);
     for (int k = 0; k < 3; k++)
-        out[k] = (m->pos[v][k] - point[k]) * 256 + (m->pos_lo ? m->pos_lo[v][k] : 0);
+        out[k] -= point[k] * 256;
 }
 
 static int in_sphere(const struct zs_mesh *m, uint32_t v, const int16_t center[3], uint16_t radius)
