@@ -492,6 +492,8 @@ static int upright_case(uint64_t seed)
     for (int k = 0; k < 3; k++)
         up[k] = prng_range(&p, -99, 99);
     up[1] |= 1;
+    for (int k = 0; seed % 4 == 1 && k < 3; k++) /* it is some 5,000 beside the axis, and far along it */
+        camera.pos[k] = pose.pos[k] + 1000000 * up[k] + (k == 0 ? 5000 : 0);
     CASE_CHECK(zs_pose_face_upright(&pose, &camera, up) == ZS_OK);
     for (int k = 0; k < 3; k++)
         y[k] = up[k];
@@ -522,8 +524,13 @@ static void a_tree_stands_upright(void **state)
     (void)state;
     CASES(upright_case, 2000);
     assert_int_equal(zs_pose_face_upright(&pose, &camera, up), ZS_ERR_VECTOR);
+    for (int t = 0; t < 4; t++) { /* the eye is above */
+        static const int32_t way[4][3] = { { 0, 4, 0 }, { 1, 2, 3 }, { 3, -4, 12 }, { 7, 5, -2 } };
+        for (int k = 0; k < 3; k++)
+            camera.pos[k] = pose.pos[k] + 1000 * way[t][k];
+        assert_int_equal(zs_pose_face_upright(&pose, &camera, way[t]), ZS_ERR_VECTOR);
+    }
     up[1] = 7;
-    assert_int_equal(zs_pose_face_upright(&pose, &camera, up), ZS_ERR_VECTOR); /* the eye is above */
     camera.pos[0] = -ZS_WORLD_MAX - 1;
     assert_int_equal(zs_pose_face_upright(&pose, &camera, up), ZS_ERR_RANGE);
     assert_memory_equal(&pose, &before, sizeof pose);

@@ -130,7 +130,7 @@ static int kernel_case(uint64_t seed)
     const uint32_t cut = prng_pick(&p, prng_pick(&p, 2) ? 32 : 6);
     struct zs_walk w = { (uint32_t)prng_next(&p), (uint32_t)prng_next(&p), (uint32_t)((int32_t)prng_next(&p) >> cut),
                          (uint32_t)((int32_t)prng_next(&p) >> prng_pick(&p, 32)) };
-    int32_t n = prng_range(&p, 1, RUN);
+    int32_t n = prng_pick(&p, 4) ? prng_range(&p, 1, RUN) : 2;
     for (int k = 0; k < 2; k++) { /* a clamped direction is walked inside the texture only */
         uint32_t *at = k ? &w.v : &w.u, *by = k ? &w.dv : &w.du;
         const uint32_t log2 = k ? m.texture.log2_h : m.texture.log2_w;
@@ -138,7 +138,9 @@ static int kernel_case(uint64_t seed)
             *(prng_pick(&p, 2) ? by : at) = 0;
         if (log2 == 0)
             *at = *by = 0; /* as shade/texture_run.c places them */
-        if (m.texture.clamp >> k & 1)
+        if (m.texture.clamp >> k & 1 && n == 2)
+            *by = (uint32_t)prng_next(&p) - *at; /* of two pixels, anywhere: from one border to the other, too */
+        else if (m.texture.clamp >> k & 1)
             while ((int64_t)*at + (int64_t)(int32_t)*by * (n - 1) < 0 ||
                    ((int64_t)*at + (int64_t)(int32_t)*by * (n - 1)) >> 32)
                 *by = (uint32_t)((int32_t)*by / 2);

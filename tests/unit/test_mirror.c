@@ -648,6 +648,16 @@ static void stress_42_a_bias_that_saturates(void **state)
     p = drawn(&m);
     assert_int_equal(count(&p, SKY_SEEN), W * H); /* equal keys: the window wins */
     picture_free(&p);
+    facing(&m, 6); /* at the key 0, too */
+    m.thing[0].pose.pos[2] = -8;
+    m.thing[0].depth_state = &nearest;
+    p = drawn(&m);
+    assert_true(count(&p, 1) > 1000);
+    picture_free(&p);
+    m.thing[1].depth_state = &nearest;
+    p = drawn(&m);
+    assert_int_equal(count(&p, SKY_SEEN), W * H);
+    picture_free(&p);
 }
 
 /* The eye's picture in a mirror is not in whole world units. What is close to near or far is there all the same, and

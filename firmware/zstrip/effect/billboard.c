@@ -31,7 +31,7 @@ int zs_pose_face_upright(struct zs_pose *pose, const struct zs_camera *camera, c
         for (int k = 0; k < 3; k++)
             to[k] = zs_usual_rotation(camera->rot)[6 + k]; /* all of its rays are parallel */
     for (int k = 0; k < 3; k++)
-        wide[k] = zs_cross_at(y, to, k); /* |.| < 2^61: right, across the ray to the eye */
+        wide[k] = zs_cross_at(up, to, k); /* |.| <= 2^62: right, across the ray to the eye */
     if (zs_unit64(x, wide))
         return ZS_ERR_VECTOR;
     zs_cross(z, x, y);

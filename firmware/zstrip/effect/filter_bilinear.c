@@ -81,19 +81,22 @@ struct axis {
     uint32_t back;     /* of a step < 0: all ones */
 };
 
-static inline void axis_begin(struct axis *a, uint32_t at, uint32_t step, uint32_t log2,
-                              uint32_t log2_whole, int32_t n)
+ZS_ALWAYS_INLINE void axis_begin(struct axis *a, uint32_t at, uint32_t step, uint32_t log2,
+                                 uint32_t log2_whole, int32_t n)
 {
-    const uint32_t size = zs_size32((int32_t)step);
     /* half a texel and the bias, less 1/64 texel to round */
     a->first = (1u << (31u - log2)) - (1u << (26u - log2)) +
                (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2_whole));
     a->at = at - a->first;
     a->step = step;
     a->log2 = log2;
+    a->rcp = a->back = 0;
+    if (n == 1) /* the pixel is in its cell, whatever the step */
+        return;
+    const uint32_t size = zs_size32((int32_t)step);
     a->back = (uint32_t)((int32_t)step >> 31);
     a->cells = log2 && size >> (32u - log2) ? UINT32_MAX : size << log2;
-    a->rcp = n == 1 ? 0u : UINT32_MAX / ((a->cells >> 12) + 1u);
+    a->rcp = UINT32_MAX / ((a->cells >> 12) + 1u);
 }
 
 /* Return a number of pixels that are in the cell of `at`, at least 1. */
@@ -101,6 +104,13 @@ ZS_ALWAYS_INLINE uint32_t axis_stays(const struct axis *a, uint32_t at)
 {
     const uint32_t left = ~(at << a->log2 ^ a->back);
     return zs_umulh(left >> 12, a->rcp) + 1u; /* <= left / cells + 1 */
+}
+
+/* Return 1 if n pixels from `at` on, in one cell, lie at both borders of a clamped texture: a step
+ * that is nearly the whole of it goes from one border to the other. */
+static inline int axis_jumps(const struct axis *a, uint32_t n)
+{
+    return (a->at + a->first < a->first) != (a->at + a->step * (n - 1u) + a->first < a->first);
 }
 
 /* Find the two texels of a cell. */
@@ -202,7 +212,10 @@ static ZS_NOINLINE void run_any(const struct zs_texture *t, const struct zs_texe
         uint16_t c[4];
         const uint32_t right = zs_texture_cut(a->log2), down = zs_texture_cut(b->log2);
         const uint32_t columns = axis_stays(a, a->at), rows = axis_stays(b, b->at);
-        const uint32_t in = zs_minu32(zs_minu32(columns, rows), (uint32_t)n);
+        uint32_t in = zs_minu32(zs_minu32(columns, rows), (uint32_t)n);
+        if ((t->clamp & ZS_CLAMP_U && axis_jumps(a, in)) ||
+            (t->clamp & ZS_CLAMP_V && axis_jumps(b, in)))
+            in = 1;
         axis_texels(a, t->clamp & ZS_CLAMP_U, x);
         axis_texels(b, t->clamp & ZS_CLAMP_V, y);
         for (int k = 0; k < 2; k++) {
