@@ -75,11 +75,8 @@ static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s,
                              const uint16_t *a, const uint16_t *b, const uint16_t *c,
                              struct zs_texel_rows *w)
 {
-    if (job->shader->n_varyings == 2) {
-        w->light = ((uint32_t)job->tri->paint << 16) + ZS_TEXTURE_LIGHT_HALF;
-        w->light_right = w->light_down = 0;
+    if (zs_small_face_light(job, w))
         return 1;
-    }
     const int32_t d1 = b[2] - a[2], d2 = c[2] - a[2]; /* |.| < 2^16 */
     if (!zs_texture_light_affine(zs_range32(d1, d2), change, job->r->view.key_slow))
         return 0;
@@ -269,6 +266,44 @@ ZS_IN_ORDER static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct
     }
 }
 
+/* places() for a coordinate that is clamped: whole repeats, beyond those of its base, say on which
+ * side of the texture it is. Rooms and boxes with such textures take 20 to 34 % less on the M3, 15
+ * to 30 % on the M0; 240 bytes. */
+ZS_IN_ORDER static ZS_NOINLINE void places_held(uint32_t *at, int32_t n, const struct places *p,
+                                                uint32_t log2_w, int32_t beyond)
+{
+    const int32_t left = p->left, down = p->down, whole = zs_min32(32 - left, 31);
+    uint32_t c = p->c, base = p->base, step = p->step, cut = p->cut;
+    for (uint32_t *end = at + n; at != end; at++, c += step) {
+        ZS_HIGH_REGISTER(end);
+        ZS_HIGH_REGISTER(step);
+        ZS_HIGH_REGISTER(base);
+        const int32_t over = (int32_t)zs_texture_coarse(c, *at & 65535u);
+        uint32_t place = base + (uint32_t)((int32_t)((uint32_t)over << left) >> down);
+        const int32_t out = (over >> whole) + beyond + (place < base);
+        if (out)
+            place = ~(uint32_t)(out >> 31);
+        place >>= cut;
+        *at = log2_w ? (*at >> 16 << log2_w) + place : place << 16 | *at;
+    }
+}
+
+/* Replace the reciprocals in at[] by texel indices of a texture that is clamped. */
+static ZS_NOINLINE void places_clamped(const struct zs_job *job, uint32_t *at, int32_t i, int32_t n,
+                                       int32_t row, int32_t up)
+{
+    const struct zs_sampler *s = &job->sampler;
+    for (int k = 1; k >= 0; k--) {
+        const uint32_t log2_w = k ? 0 : s->texture->log2_w;
+        struct places p;
+        places_of(&p, job, k, i, row, up);
+        if (s->texture->clamp >> k & 1)
+            places_held(at, n, &p, log2_w, (int32_t)(s->base[k] >> 32));
+        else
+            places(at, n, &p, log2_w);
+    }
+}
+
 /* Compute the light at n pixels, as zs_texture_shine takes it, which is interpolated from the
  * vertices. at[]: reciprocals. */
 static ZS_NOINLINE void levels_of(uint16_t *level, const uint32_t *at, int32_t n, uint32_t c,
@@ -297,10 +332,14 @@ static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t
     if (lit)
         levels_of(level, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u,
                   job->c[2].gx << up);
-    places_of(&p, job, 1, i, row, up);
-    places(at, n, &p, 0);
-    places_of(&p, job, 0, i, row, up);
-    places(at, n, &p, t->log2_w);
+    if (ZS_SELDOM(t->clamp)) {
+        places_clamped(job, at, i, n, row, up);
+    } else {
+        places_of(&p, job, 1, i, row, up);
+        places(at, n, &p, 0);
+        places_of(&p, job, 0, i, row, up);
+        places(at, n, &p, t->log2_w);
+    }
     texel->gather(t, out, n, at);
     if (!lit) {
         zs_texture_lighten(job, out, n, 0, 0);

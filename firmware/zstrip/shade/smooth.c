@@ -209,11 +209,12 @@ void zs_smooth_start(struct zs_job *job)
 
 /* ---- Runs ------------------------------------------------------------------------------------ */
 
-/* Fill n > 0 pixels with colours that change by step. */
-static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3])
+/* Fill n > 0 pixels with colours that change by by_red and so on. Values, not arrays: they stay in
+ * registers. */
+ZS_ALWAYS_INLINE void fill_linear(uint16_t *out, int32_t n, uint32_t red, uint32_t green,
+                                  uint32_t blue, uint32_t by_red, uint32_t by_green,
+                                  uint32_t by_blue)
 {
-    uint32_t red = c[0], green = c[1], blue = c[2];
-    const uint32_t by_red = step[0], by_green = step[1], by_blue = step[2];
     for (uint16_t *const end = out + n; out != end; out++) {
         *out = zs_smooth_pack(red, green, blue);
         red += by_red;
@@ -222,44 +223,67 @@ static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uin
     }
 }
 
+/* Convert a level, uq1_31, to codes, uq16_16: floor(2 level CODE_SCALE(most) / 2^32). On Armv6-M
+ * by products below 2^22: P = 2 level most is high 2^16 + low, and this is (P 2^16 + P) / 2^32. */
+static inline uint32_t codes(uint32_t level, uint32_t most)
+{
+    if (!ZS_CROSS_SHORT)
+        return zs_umulh(level << 1, CODE_SCALE(most));
+    const uint32_t low = (level << 1 & 0xffffu) * most;
+    const uint32_t high = (level >> 15) * most + (low >> 16);
+    return high + (((low & 0xffffu) + high) >> 16);
+}
+
+/* Compute the colour where colours times w and w are c and w. */
+ZS_ALWAYS_INLINE void divide(const uint32_t c[3], uint32_t w, uint32_t out[3])
+{
+    const int32_t lz = zs_clz32(w);
+    const uint32_t rcp = zs_recip(w << lz);
+    out[0] = codes(zs_persp_over(c[0], w, rcp, lz), 31u) + 0x8000u; /* <= 63.5 codes */
+    out[1] = codes(zs_persp_over(c[1], w, rcp, lz), 63u) + 0x8000u;
+    out[2] = codes(zs_persp_over(c[2], w, rcp, lz), 31u) + 0x8000u;
+}
+
 ZS_IN_ORDER ZS_NOINLINE void zs_smooth_at(const struct zs_job *job, int32_t i, int32_t row,
                                           uint32_t out[3])
 {
-    uint32_t w;
-    int32_t lz;
-    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
-    for (int c = 0; c < 3; c++) {
-        const uint32_t level = zs_persp_over(zs_plane_at(&job->c[c], i, row), w, rcp, lz);
-        out[c] = zs_umulh(level << 1, code_scale[c]) + 0x8000u; /* <= 63.5 codes */
-    }
+    const uint32_t c[3] = { zs_plane_at(&job->c[0], i, row), zs_plane_at(&job->c[1], i, row),
+                            zs_plane_at(&job->c[2], i, row) };
+    divide(c, zs_persp_w_at(job, i, row), out);
+}
+
+/* Return the change for each pixel of a sub-span: floor(change * over / 2^32), |change| < 2^22,
+ * over: zs_one_over of its length. log2: 0, or that of its length; then over is 2^(32 - log2) - 1,
+ * and the result is below change / 2^log2 by less than a unit of change, if change > 0. */
+static inline uint32_t each(int32_t change, uint32_t over, uint32_t log2)
+{
+    if (ZS_CROSS_SHORT && log2)
+        return (uint32_t)((change + (-change >> 31)) >> log2);
+    return (uint32_t)(zs_mul_su(change, over) >> 32);
 }
 
 /* Fill the part of a sub-span that is in the run: n pixels, from the skip-th on. The colour changes
- * from c to next over `length` pixels; 0: the sub-span is a single pixel. */
-static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t next[3],
-                      int32_t length, int32_t skip)
+ * from c to next over `length` pixels; 0: the sub-span is a single pixel. log2: as in each(). */
+ZS_ALWAYS_INLINE void fill_part(uint16_t *out, int32_t n, const uint32_t c[3],
+                                const uint32_t next[3], int32_t length, uint32_t log2, int32_t skip)
 {
-    uint32_t at[3], step[3];
-    for (int k = 0; k < 3; k++) {
-        const uint32_t up = k == 1 ? UP6 : UP5;
-        const int32_t change = (int32_t)(next[k] - c[k]); /* |.| < 2^22 */
-        const int32_t by = (int32_t)(zs_mul_su(change, zs_one_over(length)) >> 32);
-        at[k] = (c[k] + zs_wrap_mul((uint32_t)by, skip)) << up;
-        step[k] = (uint32_t)by << up;
-    }
-    fill_linear(out, n, at, step);
+    const uint32_t over = zs_one_over(length);
+    const uint32_t by0 = each((int32_t)(next[0] - c[0]), over, log2), /* |.| < 2^22 */
+                   by1 = each((int32_t)(next[1] - c[1]), over, log2),
+                   by2 = each((int32_t)(next[2] - c[2]), over, log2);
+    fill_linear(out, n, (c[0] + zs_wrap_mul(by0, skip)) << UP5,
+                (c[1] + zs_wrap_mul(by1, skip)) << UP6, (c[2] + zs_wrap_mul(by2, skip)) << UP5,
+                by0 << UP5, by1 << UP6, by2 << UP5);
 }
 
 void zs_smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
     uint16_t *color = job->color + row->at;
     if (job->sub_log2 == ZS_AFFINE) {
-        uint32_t c[3], step[3];
-        for (int k = 0; k < 3; k++) {
-            c[k] = zs_plane_at(&job->c[k], r0, row->y);
-            step[k] = job->c[k].gx;
-        }
-        fill_linear(color + r0, r1 - r0, c, step);
+        const struct zs_plane *const c = job->c;
+        fill_linear(color + r0, r1 - r0, zs_plane_at(&c[0], r0, row->y),
+                    zs_plane_at(&c[1], r0, row->y), zs_plane_at(&c[2], r0, row->y), c[0].gx,
+                    c[1].gx, c[2].gx);
         return;
     }
     uint32_t c[3], next[3];
@@ -273,7 +297,8 @@ void zs_smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int
         if (to > from)
             zs_smooth_at(job, to, row->y, next);
         const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + length, r1);
-        fill_part(color + i0, i1 - i0, c, next, to - from, i0 - from);
+        fill_part(color + i0, i1 - i0, c, next, to - from,
+                  to - from == length ? job->sub_log2 : 0u, i0 - from);
     }
 }
 

@@ -222,10 +222,11 @@ ZS_IN_ORDER ZS_NOINLINE void zs_texture_pixel(struct zs_job *job, const struct z
 
 static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
+    const struct zs_texture *const t = job->sampler.texture;
     const int down = (int32_t)job->w.gx < 0;
     int32_t from = row->x0 + ((r0 - row->x0) & -GROUP);
     void (*const divided)(struct zs_job *, const struct zs_row *, int32_t, int32_t) =
-        ZS_IF_FAST(job->fast) && job->texel && !job->sampler.wide && !job->sampler.fine
+        ZS_IF_FAST(job->fast) && job->texel && !job->sampler.fine && t->log2_w && t->log2_h
             ? job->fast->divided
             : 0;
     for (; from < r1; from += GROUP) {
