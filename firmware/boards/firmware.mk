@@ -109,14 +109,15 @@ endif
 endif
 
 # What names no scene is compiled once, the rest once a scene
-# method/, effect/, overlay/, zs_explain and hal/panel/ are compiled where the program's own sources, or headers of
-# their names, name something of them
-NAMING := $(APP_SRC) $(wildcard $(APP_SRC:.c=.h))
+# method/, effect/, overlay/, zs_explain and hal/panel/ are compiled where the program's own sources, headers of
+# their names, or in a project of its own any header beside them, name something of them
+NAMING := $(APP_SRC) $(wildcard $(APP_SRC:.c=.h) \
+                                $(addsuffix *.h,$(filter-out firmware/%,$(sort $(dir $(APP_SRC))))))
 METHODS := $(METHOD)$(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(NAMING))
-EFFECTS := $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' \
+EFFECTS := $(shell grep -lE '[<"]zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h[>"]|ZS_POSITIONS' \
                         $(NAMING))
-OVERLAYS := $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(NAMING))
-EXPLAINS := $(shell grep -lE '"zs_explain\.h"' $(NAMING))
+OVERLAYS := $(shell grep -lE '[<"]zs_(overlay|fog|dither)\.h[>"]' $(NAMING))
+EXPLAINS := $(shell grep -lE '[<"]zs_explain\.h[>"]' $(NAMING))
 CORE := $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) \
                     $(if $(EXPLAINS),,firmware/zstrip/support/explain%) \
                     $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \

@@ -47,8 +47,9 @@ int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums);
  * strip stays dirty until it is drawn, in whichever frame.
  *
  * All strips are dirty when the camera, light, background, resolve hooks (zs_resolve.draw and ctx,
- * not what they point to) or number of instances differ, when the distance of the farthest instance
- * in view passes a power of two, and after a frame that was refused. Strips that are drawn are the
+ * not what they point to) or number of instances differ (so take a thing away by moving it out of
+ * view: pose.pos[1] = -ZS_WORLD_MAX), when the distance of the farthest instance in view passes a
+ * power of two, and after a frame that was refused. Strips that are drawn are the
  * same as without this call, bit for bit. With zs_damage_compare too, only the columns that differ
  * are dirty in a strip that is drawn.
  *

@@ -7,8 +7,8 @@
  * same, bit for bit, with all of them, some, or none. Only accelerators that a program names are
  * linked.
  *
- * The caller keeps the list alive while the renderer is in use. With ZS_NO_FAST = 1 all lists are
- * empty, and the folder fast/ can be left out.
+ * The caller keeps the list alive while the renderer is in use; a name may stand in it twice. With
+ * ZS_NO_FAST = 1 all lists are empty, and the folder fast/ can be left out.
  *
  * SPDX-License-Identifier: MIT
  */

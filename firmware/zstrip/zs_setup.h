@@ -115,7 +115,8 @@ struct zs_stats {
     uint32_t strips_skipped; /* not drawn (zs_damage_track, zs_frame_skip). Triangles that are in no
                                 other strip count as culled, or not at all */
     uint32_t passes;         /* sets of triangles that the pools took the scene in */
-    uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
+    uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools. Size pools by a frame
+                                in which all strips are drawn: zs_damage_track bins less */
     uint32_t sorted;          /* triangles that a method sorted, summed over strips */
     uint32_t splits;          /* triangles that a method cut in two (zs_method_depthsort) */
     uint32_t pairs;           /* pairs of triangles that a method compared (zs_method_depthsort) */

@@ -69,7 +69,7 @@
  *     screen_config.depth = &zs_depth_float;
  *     int err = ZS_INIT(screen);
  *     err = err ? err : zs_camera_perspective(&camera, ZS_DEGREES(45), 240, 100, 20000);
- *     err = err ? err : zs_camera_orbit(&camera, (int32_t[]){ 0, 0, 0 }, 5000, 0, 0);
+ *     err = err ? err : zs_camera_orbit(&camera, thing.pose.pos, 5000, 0, 0);
  *     err = err ? err : zs_render(&screen, &scene, &camera, &sink);
  */
 #ifndef ZSTRIP_H

@@ -182,6 +182,20 @@ else
     skipped 'the emulator of boards is not set up'
 fi
 
+begin new_of_another_size
+sed -i 's/^#define H .*/#define H 320/' host/display.h
+project host show BOARD=host SHOWN=3 || wrong "$(tail -3 made.txt)"
+is 'width, height' "$(od -An -tu1 -j16 -N8 host/build/host/002.png | tr -s ' ')" ' 0 0 0 240 0 0 1 64'
+[ ! -e host/build/host/003.png ] || wrong 'more than three pictures'
+project host test || wrong "$(tail -3 made.txt)"
+sed -i 's/^#define H .*/#define H 240/' host/display.h
+
+begin new_with_a_header_of_ones_own
+echo '#include <zs_lights.h>' >host/world.h
+sed -i 's/^#include "model.h"/&\n#include "world.h"/
+    s/^    display_close/    err = err ? err : zs_lighting_check(\&(struct zs_lighting){ 0 });\n&/' host/main.c
+project host test || wrong "$(tail -3 made.txt)"
+
 begin new_test_sees_a_program_that_draws_nothing
 sed -i 's/\.n_instances = MODEL_INSTANCES/.n_instances = 0/; s/\.n_resolves = 1/.n_resolves = 0/' host/main.c
 project host test && wrong 'the test of an empty picture passes'

@@ -1,14 +1,15 @@
 #!/bin/sh
 # Does the program draw? On this machine, and on the board where it has an emulator: every picture shows more than one
 # colour, the model turns, no error is reported; the board's pictures are this machine's.
-# Usage: test.sh BOARD     ZSIM is in the environment
+# Usage: test.sh BOARD     ZSIM and GLASS are in the environment
 set -u
 board=$1
 failed=0
 
 pictures() { # BOARD
     make -s run BOARD="$1" SHOWN=3 >"build/$1.txt" 2>&1 || { tail -3 "build/$1.txt"; return 1; }
-    "$ZSIM" panel --panel @PANEL@ --full --decode "build/$1/stream" --out "build/$1/test_%d.png" \
+    # shellcheck disable=SC2086
+    "$ZSIM" panel --panel $GLASS --full --decode "build/$1/stream" --out "build/$1/test_%d.png" \
         --raw "build/$1/test_%d.bin" >"build/$1/seen.txt" || { tail -3 "build/$1/seen.txt"; return 1; }
 }
 check() { # NAME, a command that succeeds
