@@ -52,7 +52,7 @@ enum zs_outcome zs_assemble_box(const struct zs_renderer *r, const struct zs_ver
 typedef enum zs_outcome zs_assemble_fn(struct zs_renderer *r, uint32_t t, uint32_t *piece);
 zs_assemble_fn zs_assemble_tri;
 
-/* ---- fan.c: a triangle that is clipped at near, far or the guard band, in pieces ------------- */
+/* ---- fan.c: a triangle that has to be clipped, in pieces ------------------------------------- */
 
 /* As zs_assemble_tri, for a triangle that has to be clipped. */
 enum zs_outcome zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *piece);

@@ -1,11 +1,11 @@
 /* Binning: the pools of vertices and triangles, and a bin for each strip.
  *
- * The band. A traversal bins triangles for a band of strips. When a pool is full, vertices that no
+ * The band. A walk bins triangles for a band of strips. When a pool is full, vertices that no
  * triangle uses are removed. If that is not enough, the band ends earlier: the triangles that begin
  * below it are removed too. If the band is a single strip and a pool is still full, zs_bin_room
- * returns 0, and walk.c draws the binned triangles. So a pool that holds one triangle is enough for
- * any scene; it only takes more traversals. A bin below the band counts the triangles that begin
- * there, from which the next traversal's band is chosen.
+ * returns 0; the depth buffer then draws the binned triangles. So pools that hold one triangle are
+ * enough for any scene; it only takes more walks and sets. A bin below the band counts the
+ * triangles that begin there, from which the next walk's band is chosen.
  *
  * The vertex cache. vert_map[v & mask] is the index in the pool where vertex v of the mesh may be.
  * It is used only if that index belongs to the current instance and vert_src holds v there, so the
@@ -20,7 +20,7 @@
 #include "core/xform.h"
 #include "zs_shader.h"
 
-#define ROOM 8u /* a pool that is full is emptied until an eighth of it is free */
+#define ROOM 8u /* records are removed from a full pool until an eighth of it is free */
 
 static void bins_clear(struct zs_renderer *r)
 {
@@ -182,7 +182,7 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
     zs_bin_pack_new(r);
 }
 
-/* Return 1 if a share of a pool is free, and `more`. */
+/* Return 1 if all / share + more of a pool's `all` records are free, or all of them are. */
 static ZS_RARE int roomy(uint32_t used, uint32_t all, uint32_t share, uint32_t more)
 {
     return all - used >= zs_minu32(all / share + more, all);
@@ -194,8 +194,8 @@ ZS_RARE void zs_bin_count(struct zs_renderer *r)
     r->stats.max_verts_used = zs_maxu32(r->stats.max_verts_used, r->n_verts);
 }
 
-/* Take strips from the band's end, until a share of the triangles begins below it. Their bins hold
- * the number of their triangles from then on. */
+/* Take strips from the band's end, until more than an eighth of the triangles begin below it or one
+ * strip is left. From then on, a bin below the band holds the number of its triangles. */
 static ZS_RARE void shrink(struct zs_renderer *r)
 {
     uint32_t dropped = 0;
@@ -236,7 +236,7 @@ ZS_RARE void zs_bin_band(struct zs_renderer *r, uint16_t end)
     const int32_t bottom = r->band_end * r->config.strip_h;
     uint32_t n = 0;
     if (!r->counting && r->strip == r->band_end) {
-        /* as many triangles as there were once, and as their vertices leave room for */
+        /* at most what the pool has held, and what the vertex pool has vertices for */
         const uint32_t tris = r->tris_packed ? r->tris_packed : r->n_tris;
         const uint32_t verts = r->vert_packed ? r->vert_packed : r->n_verts;
         const uint32_t most = zs_minu32(r->stats.max_tris_used,

@@ -25,7 +25,7 @@ static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint
     int64_t limit = (int64_t)view->guard, at = p->c[plane & (ZS_OUT_LEFT | ZS_OUT_RIGHT) ? 0 : 1];
     if (view->perspective) {
         limit = zs_mul_ss(z, (int32_t)view->guard); /* ZS_GUARD_SUBPX */
-        at = zs_mul_su((int32_t)at, (uint32_t)1 << view->scale_bits); /* <= 31 */
+        at = zs_mul_su((int32_t)at, (uint32_t)1 << view->scale_bits); /* <= 2^31 */
     }
     return plane & (ZS_OUT_LEFT | ZS_OUT_TOP) ? limit + at : limit - at;
 }

@@ -27,8 +27,8 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
         return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE));
     if (dy < EDGE32_MAX)
         return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE); /* < 2^23 + 2^30 */
-    /* < 2^44.1, over 2^23 or more. Both are cut to 32 bits, the divisor to 17 or more, as the
-     * quotient is below 2^14: it is less by at most one, for which the caller has room. */
+    /* < 2^44.1, over 2^23 or more. n is cut to 32 bits, and the divisor by as many; 17 or more are
+     * left, as the quotient is at most 2^14: it is less by at most one, which the caller adds. */
     const uint64_t n = zs_mul_uu((uint32_t)fraction, (uint32_t)dy) +
                        zs_mul_uu((uint32_t)off, (uint32_t)part);
     const int32_t down = zs_max32(32 - zs_clz64(n | 1u), 0);
@@ -67,7 +67,7 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
     int32_t e = -(int32_t)rest; /* (-2 span, 0]; becomes [0, span) */
     for (; e < 0; e += span)
         i++;
-    *out = (int16_t)i; /* |.| <= 2^14 + 1 in rows of the triangle; e = i * span - exact */
+    *out = (int16_t)i; /* |.| <= 2^14 + 1 in rows of the triangle; e: i is too large by e / span */
     part *= ZS_SUBPX_ONE;
     for (int16_t *const end = out + 2 * n; (out += 2) != end; *out = (int16_t)i) {
         i += q;

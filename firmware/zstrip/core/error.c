@@ -24,6 +24,6 @@ static const char *const messages[] = {
 
 const char *zs_error_string(int err)
 {
-    const unsigned n = 0u - (unsigned)err; /* of a sink's own, > 0: a large number */
+    const unsigned n = 0u - (unsigned)err; /* a sink's own error, if > 0, gives a large one */
     return n < sizeof messages / sizeof messages[0] ? messages[n] : "unknown error";
 }

@@ -1,5 +1,5 @@
-/* A triangle that reaches beyond near, far or the guard band is clipped to a polygon, and the
- * polygon is binned as a fan of triangles.
+/* A triangle that reaches beyond near, far, the guard band or a mirror's plane is clipped to a
+ * polygon, and the polygon is binned as a fan of triangles, its pieces.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -20,8 +20,8 @@ struct polygon {
 #define COORD_MAX ((1u << 30) + 2u) /* camera units: core/xform.h */
 
 /* Return the winding of a triangle on the screen, computed exactly from its vertices in camera
- * units: > 0 if clockwise. If all three vertices are in front of the eye, the sign of a . (b x c)
- * is the sign of the projected area. */
+ * units: > 0 if clockwise. The sign of a . (b x c) is the sign of the projected area of all that
+ * lies in front of the eye. */
 static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view,
                                         const struct zs_clip_vertex v[3])
 {
@@ -52,9 +52,9 @@ static ZS_RARE ZS_SHARED int64_t piece_area(const struct polygon *p, const uint8
 }
 
 /* Return twice the area of the snapped polygon, and in *fan its corners in order, starting with one
- * whose fan has no piece of the opposite winding. Not every corner will do, because rounding can
- * make the polygon concave by a sub-pixel. The search starts at the corner with the least (y, x),
- * so that the result does not depend on which corner the triangle lists first.
+ * whose fan has no piece of the opposite winding. *fan points into `around`. Not every corner will
+ * do, because rounding can make the polygon concave by a sub-pixel. The search starts at the corner
+ * with the least (y, x), so that the result does not depend on the triangle's order of corners.
  *
  * A polygon that is seen nearly edge-on may have no such corner, because snapping made it cross
  * itself; its snapped area may even have the wrong sign. Then the function returns `sense`, the
@@ -130,7 +130,7 @@ static ZS_RARE enum zs_outcome polygon_bin(struct zs_renderer *r, const struct p
     uint8_t around[2 * ZS_CLIP_MAX];
     const uint8_t *fan;
     const int64_t area = fan_corner(p, sense, around, &fan);
-    const int back = area < 0; /* then the corners of each piece are listed in reverse order */
+    const int back = area < 0; /* counter-clockwise: pieces list their corners in reverse order */
     if (area == 0)
         return ZS_OUTCOME_ZERO;
     if (zs_assemble_culled(area, r->xform.cull))
@@ -183,7 +183,7 @@ ZS_RARE enum zs_outcome zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *
         r->stats.tris_clipped++;
     const int sense = sense_of(&r->view, p.cv);
     p.n = zs_clip_polygon(&r->view, p.cv, 3, any & (ZS_OUT_NEAR | ZS_OUT_FAR), shader->n_varyings);
-    for (int k = 0; k < p.n; k++) /* outcodes of the sides are defined only between near and far */
+    for (int k = 0; k < p.n; k++) /* outcodes of the sides are not defined before near */
         sides |= zs_xform_outcode(&r->view, &p.cv[k].p) & (ZS_OUT_SIDES | ZS_OUT_MIRROR);
     if (p.n && sides) {
         p.n = zs_clip_polygon(&r->view, p.cv, p.n, sides, shader->n_varyings);

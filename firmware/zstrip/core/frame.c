@@ -89,7 +89,7 @@ static ZS_RARE void strip_divisor(struct zs_renderer *r)
 }
 
 /* Choose the accelerators of the frame: the first of each kind in the list. `touch` and `tiles`
- * work only in a frame of one pass, whose method is the depth buffer. */
+ * work only in a frame of one pass, whose depth test is zs_rows_test. */
 static ZS_RARE void accelerators(struct zs_renderer *r)
 {
     if (ZS_NO_FAST)
@@ -231,7 +231,7 @@ ZS_RARE void zs_frame_open(struct zs_renderer *r)
         accelerators(r);
     r->stats = none;
     r->strip = 0;
-    r->band_end = 0; /* so the first strip starts a traversal */
+    r->band_end = 0; /* so the first strip starts a walk */
     r->counting = 1;
     r->large = 0;
     r->config.max_tris = (uint16_t)(r->config.max_tris + r->parts_tris);

@@ -1,4 +1,4 @@
-/* Reciprocal, square root and wide products.
+/* Shifts, filling, reciprocal, square root and wide products.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -47,8 +47,8 @@ struct zs_plane64 {
 /* pixels: the columns of a tiny triangle are no further from its top vertex */
 #define ZS_TINY_SIDE (ZS_TINY / ZS_SUBPX_ONE + 1)
 
-/* Return 1 if the differences from the top vertex are those of a tiny triangle. dy >= 0, so that
- * one comparison tests both bounds of dx. */
+/* Return 1 if the differences from the top vertex are those of a tiny triangle. dy >= 0. One
+ * comparison tests all bounds, as 2 ZS_TINY is a power of two. */
 static inline int zs_tiny(int32_t dx1, int32_t dx2, int32_t dy1, int32_t dy2)
 {
     return ((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) |

@@ -22,7 +22,7 @@
  *         bucket = 0.0035 bucket. Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w)
  *         may have gradients up to 2^30: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
  * large   For all others. A division with remainder to 24 more bits; gradients are rounded to
- *         nearest: e <= 1/2 ulp. The anchor is the pixel of the frame that is nearest to the first
+ *         nearest: e <= 1/2 ulp. The anchor is the viewport's pixel that is nearest to the first
  *         vertex; its value is computed from N / A with 32 fraction bits (error < 2^-32 * 2^22 * 2
  *         + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp < (W + H + 1) / 2 * 2^-16
  *         bucket = 0.0049 for W + H = 640.

@@ -44,7 +44,7 @@ int zs_unit64(zs_q2_30 out[3], const int64_t v[3])
     int32_t w[3];
     for (int k = 0; k < 3; k++)
         most |= (uint64_t)(v[k] < 0 ? -v[k] : v[k]);
-    const int down = most >> 30 ? 34 - zs_clz64(most) : 0; /* below 2^30 */
+    const int down = most >> 30 ? 34 - zs_clz64(most) : 0; /* to at most 2^30 */
     for (int k = 0; k < 3; k++)
         w[k] = (int32_t)zs_round_shift(v[k], down);
     return zs_unit(out, w);

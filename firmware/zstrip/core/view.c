@@ -19,7 +19,7 @@
 /* camera units; with a smaller z_near, positions at the near plane are not exact enough */
 #define NEAR_MIN 256
 #define SCALE_BITS_MIN 8  /* perspective: keeps the shift of a projection below 63 bits */
-#define SCALE_BITS_MAX 40 /* orthographic: the same */
+#define SCALE_BITS_MAX 40 /* orthographic: keeps view->guard below 2^61 */
 #define WORLD_MAX_Q16 ((zs_q48_16)ZS_WORLD_MAX * 65536)
 
 static int range_ok(const struct zs_camera *camera)
@@ -41,7 +41,7 @@ static int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
     int32_t up = zs_clz64(num) - zs_clz64(den) + 31; /* num 2^up / den in (2^30, 2^32), or up < 0 */
     if (up < 0)
         up = 0;
-    uint64_t r = zs_muldiv_u64(num, (uint64_t)zs_scale2(1, up), den); /* [2^30, 2^33) */
+    uint64_t r = zs_muldiv_u64(num, (uint64_t)zs_scale2(1, up), den); /* 2^30 .. 2^33 */
     for (; r > (uint64_t)ZS_Q30_ONE; r >>= 1)
         up--;
     *bits = 30 - up;
@@ -116,7 +116,7 @@ static int scale_set(struct zs_view *view, const struct zs_camera *camera)
         view->shift -= view->scale_bits - SCALE_BITS_MAX;
         view->scale_bits = SCALE_BITS_MAX;
     }
-    view->guard = (uint64_t)zs_scale2(ZS_GUARD_SUBPX, view->scale_bits); /* <= 2^61 */
+    view->guard = (uint64_t)zs_scale2(ZS_GUARD_SUBPX, view->scale_bits); /* < 2^61 */
     return ZS_OK;
 }
 

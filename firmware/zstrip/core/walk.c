@@ -1,9 +1,9 @@
-/* Traversal of the scene: cull instances, bin their triangles, and handle full pools.
+/* The walk over the scene: cull instances, bin their triangles, and handle full pools.
  *
- * When a pool is full, traversal stops at a cursor (instance, triangle, piece of a clipped
- * triangle), makes room, and goes on from there. If a single strip fills the pools, the binned
- * triangles are drawn into it and the pools are emptied. The picture does not depend on the number
- * of such sets, because the least (key, scene order) wins a pixel.
+ * When a pool is full, the walk stops at a cursor (instance, triangle, piece of a clipped
+ * triangle), makes room, and goes on from there. If a single strip fills the pools, the method
+ * makes room. The depth buffer draws the binned triangles and empties the pools; the picture does
+ * not depend on the number of such sets, because the least (key, scene order) wins a pixel.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,12 +18,12 @@
 #include "core/xform.h"
 #include "zs_shader.h"
 
-/* The position of the traversal. */
+/* The position of the walk. */
 struct cursor {
     uint32_t tri, piece;
     uint16_t instance;
     uint8_t open; /* 1: the instance's triangles are being binned; tri is the next one */
-    zs_assemble_fn *assemble;      /* bins one of them */
+    zs_assemble_fn *assemble;      /* bins one triangle, or one primitive */
     uint32_t outcome[ZS_OUTCOMES]; /* the walk's triangles so far, counted by outcome */
 };
 
@@ -40,8 +40,8 @@ _Static_assert(offsetof(struct zs_stats, tris_offscreen) - offsetof(struct zs_st
                        4 * ZS_OUTCOME_INDEX,
                "counts are in the order of outcomes");
 
-/* Cull an instance, or set r->xform for it. Return 0 if it is culled, or if no strip that it can
- * reach is dirty. Not inlined, so that its variables are off the stack while triangles are binned.
+/* Cull an instance, or set r->xform for it. Return 0 if it is culled or hidden, or if no strip that
+ * it can reach is dirty. Not inlined, so that its variables are off the stack during binning.
  */
 static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
 {
@@ -83,7 +83,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
 }
 
 /* Go to the next run of triangles of the current instance, [r->clusters.from, r->clusters.end).
- * Return 0 if there is none: without clusters, all were one run. */
+ * Return 0 if there is none: without clusters, the first run had all triangles. */
 static ZS_RARE int next_run(struct zs_renderer *r, struct cursor *at)
 {
     if (!ZS_IF_FAST(r->by_clusters) || !r->clusters_hooks->run(r))

@@ -7,8 +7,8 @@
  *   rounding       1/2, once, after the exact sum
  * On the screen, each camera unit is 2^scale_bits / z sub-pixels; snapping adds 1/2 sub-pixel.
  *
- * If two meshes share pose and scale, vertices at the same position get the same camera position,
- * bit for bit, because m, t and shift depend on pose, scale and frame alone.
+ * If two meshes share pose and scale, and both or neither have pos_lo, vertices at one position get
+ * the same camera position, bit for bit: m, t and shift depend on these and on the frame alone.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -83,7 +83,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     for (int k = 0; k < 3; k++)
         from[k] = in->pose.pos[k] - view->pos[k];
     for (int k = 0; k < 3; k++) {
-        const int64_t at = zs_dot(view->rot + 3 * k, from); /* q2_30 * world units, <= 2^60.6 */
+        const int64_t at = zs_dot(view->rot + 3 * k, from); /* q2_30 * world units, < 2^60.8 */
         int32_t *const row = xf->row + k * ZS_ROW_WORDS;
         for (int j = 0; j < 3; j++)
             row[j] = (int32_t)zs_round_shift(zs_mul_ss(both[3 * k + j], mantissa), 31 + extra);

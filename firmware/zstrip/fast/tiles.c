@@ -21,7 +21,7 @@
  * Keys: the keys of a triangle are at most that of its farthest vertex. The keys that are drawn are
  * within 0.13 bucket of the exact ones (NUMERICS.md: 0.005 up to 640 pixels of width and height, (W
  * + H + 1) / 2^17 beyond); MARGIN covers that. The plane through the vertices' keys, evaluated at a
- * tile's four corners, would be a tighter bound. It is not used; DESIGN.md has the figures.
+ * tile's four corners, would be a tighter bound. It is not used; HISTORY.md has the figures.
  *
  * SPDX-License-Identifier: MIT
  */
