@@ -106,11 +106,12 @@ ZS_ALWAYS_INLINE uint32_t axis_stays(const struct axis *a, uint32_t at)
     return zs_umulh(left >> 12, a->rcp) + 1u; /* <= left / cells + 1 */
 }
 
-/* Return 1 if n pixels from `at` on, in one cell, lie at both borders of a clamped texture: a step
- * that is nearly the whole of it goes from one border to the other. */
-static inline int axis_jumps(const struct axis *a, uint32_t n)
+/* Return 1 if n pixels from `at` on, in one cell, lie at both borders of a texture that is clamped:
+ * a step that is nearly the whole of it goes from one border to the other. */
+static ZS_NOINLINE int axis_jumps(const struct axis *a, int clamp, uint32_t n)
 {
-    return (a->at + a->first < a->first) != (a->at + a->step * (n - 1u) + a->first < a->first);
+    const uint32_t at = a->at + a->first;
+    return clamp && (at < a->first) != (at + a->step * (n - 1u) < a->first);
 }
 
 /* Find the two texels of a cell. */
@@ -213,8 +214,7 @@ static ZS_NOINLINE void run_any(const struct zs_texture *t, const struct zs_texe
         const uint32_t right = zs_texture_cut(a->log2), down = zs_texture_cut(b->log2);
         const uint32_t columns = axis_stays(a, a->at), rows = axis_stays(b, b->at);
         uint32_t in = zs_minu32(zs_minu32(columns, rows), (uint32_t)n);
-        if ((t->clamp & ZS_CLAMP_U && axis_jumps(a, in)) ||
-            (t->clamp & ZS_CLAMP_V && axis_jumps(b, in)))
+        if (axis_jumps(a, t->clamp & ZS_CLAMP_U, in) || axis_jumps(b, t->clamp & ZS_CLAMP_V, in))
             in = 1;
         axis_texels(a, t->clamp & ZS_CLAMP_U, x);
         axis_texels(b, t->clamp & ZS_CLAMP_V, y);

@@ -24,9 +24,9 @@ static void window_span(struct zs_job *job, const struct zs_row *row, int32_t i0
     const int32_t bias = job->depth_state ? job->bias : 0, most = top + zs_min32(bias, 0);
     uint16_t *const line = job->depth + row->at;
     const struct zs_pass_memory *const passes = job->r->passes ? job->r->pass_memory : 0;
-    const int32_t beside = passes && passes->pass[passes->now].mask ? 0 : -1; /* this pass's mask */
+    const int32_t least = passes && passes->pass[passes->now].mask; /* 0: beside the mask */
     for (int32_t i = i0; i < i1; i++, sum += step)
-        if (line[i] != beside && zs_min32((int32_t)(sum >> 16) + bias, most) <= line[i]) {
+        if (zs_max32(zs_min32((int32_t)(sum >> 16) + bias, most), least) <= line[i]) {
             line[i] = ZS_DEPTH_CLEAR;
             zs_rows_written(job, 1);
         }

@@ -235,8 +235,8 @@ struct places {
 };
 
 /* Set up attribute k of a job from pixel i on. up: the shift that brings w to 31 bits. */
-static void places_of(struct places *p, const struct zs_job *job, int k, int32_t i, int32_t row,
-                      int32_t up)
+static ZS_NOINLINE void places_of(struct places *p, const struct zs_job *job, int k, int32_t i,
+                                  int32_t row, int32_t up)
 {
     const struct zs_sampler *s = &job->sampler;
     const int32_t turn = s->shift[k] + 1;
@@ -288,22 +288,6 @@ ZS_IN_ORDER static ZS_NOINLINE void places_held(uint32_t *at, int32_t n, const s
     }
 }
 
-/* Replace the reciprocals in at[] by texel indices of a texture that is clamped. */
-static ZS_NOINLINE void places_clamped(const struct zs_job *job, uint32_t *at, int32_t i, int32_t n,
-                                       int32_t row, int32_t up)
-{
-    const struct zs_sampler *s = &job->sampler;
-    for (int k = 1; k >= 0; k--) {
-        const uint32_t log2_w = k ? 0 : s->texture->log2_w;
-        struct places p;
-        places_of(&p, job, k, i, row, up);
-        if (s->texture->clamp >> k & 1)
-            places_held(at, n, &p, log2_w, (int32_t)(s->base[k] >> 32));
-        else
-            places(at, n, &p, log2_w);
-    }
-}
-
 /* Compute the light at n pixels, as zs_texture_shine takes it, which is interpolated from the
  * vertices. at[]: reciprocals. */
 static ZS_NOINLINE void levels_of(uint16_t *level, const uint32_t *at, int32_t n, uint32_t c,
@@ -332,13 +316,13 @@ static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t
     if (lit)
         levels_of(level, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u,
                   job->c[2].gx << up);
-    if (ZS_SELDOM(t->clamp)) {
-        places_clamped(job, at, i, n, row, up);
-    } else {
-        places_of(&p, job, 1, i, row, up);
-        places(at, n, &p, 0);
-        places_of(&p, job, 0, i, row, up);
-        places(at, n, &p, t->log2_w);
+    for (int k = 1; k >= 0; k--) {
+        const uint32_t log2_w = k ? 0 : t->log2_w;
+        places_of(&p, job, k, i, row, up);
+        if (ZS_SELDOM(t->clamp >> k & 1))
+            places_held(at, n, &p, log2_w, (int32_t)(job->sampler.base[k] >> 32));
+        else
+            places(at, n, &p, log2_w);
     }
     texel->gather(t, out, n, at);
     if (!lit) {

@@ -223,43 +223,44 @@ ZS_ALWAYS_INLINE void fill_linear(uint16_t *out, int32_t n, uint32_t red, uint32
     }
 }
 
-/* Convert a level, uq1_31, to codes, uq16_16: floor(2 level CODE_SCALE(most) / 2^32). On Armv6-M
- * by products below 2^22: P = 2 level most is high 2^16 + low, and this is (P 2^16 + P) / 2^32. */
-static inline uint32_t codes(uint32_t level, uint32_t most)
+/* Convert a level, uq1_31, to codes, uq16_16: floor(2 level scale / 2^32); scale: CODE_SCALE(most).
+ * Armv6-M: P = 2 level most is high 2^16 + low, by products below 2^22: it is (P 2^16 + P) / 2^32.
+ */
+static inline uint32_t codes(uint32_t level, uint32_t scale)
 {
     if (!ZS_CROSS_SHORT)
-        return zs_umulh(level << 1, CODE_SCALE(most));
-    const uint32_t low = (level << 1 & 0xffffu) * most;
+        return zs_umulh(level << 1, scale);
+    const uint32_t most = scale & 0xffffu, low = (level << 1 & 0xffffu) * most;
     const uint32_t high = (level >> 15) * most + (low >> 16);
     return high + (((low & 0xffffu) + high) >> 16);
-}
-
-/* Compute the colour where colours times w and w are c and w. */
-ZS_ALWAYS_INLINE void divide(const uint32_t c[3], uint32_t w, uint32_t out[3])
-{
-    const int32_t lz = zs_clz32(w);
-    const uint32_t rcp = zs_recip(w << lz);
-    out[0] = codes(zs_persp_over(c[0], w, rcp, lz), 31u) + 0x8000u; /* <= 63.5 codes */
-    out[1] = codes(zs_persp_over(c[1], w, rcp, lz), 63u) + 0x8000u;
-    out[2] = codes(zs_persp_over(c[2], w, rcp, lz), 31u) + 0x8000u;
 }
 
 ZS_IN_ORDER ZS_NOINLINE void zs_smooth_at(const struct zs_job *job, int32_t i, int32_t row,
                                           uint32_t out[3])
 {
-    const uint32_t c[3] = { zs_plane_at(&job->c[0], i, row), zs_plane_at(&job->c[1], i, row),
-                            zs_plane_at(&job->c[2], i, row) };
-    divide(c, zs_persp_w_at(job, i, row), out);
+    uint32_t w;
+    int32_t lz;
+    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
+    for (int c = 0; c < 3; c++) {
+        const uint32_t level = zs_persp_over(zs_plane_at(&job->c[c], i, row), w, rcp, lz);
+        out[c] = codes(level, code_scale[c]) + 0x8000u; /* <= 63.5 codes */
+    }
+}
+
+/* each() of a row's last sub-span, which is shorter. */
+static ZS_NOINLINE __attribute__((unused)) uint32_t each_of_last(int32_t change, uint32_t over)
+{
+    return (uint32_t)(zs_mul_su(change, over) >> 32);
 }
 
 /* Return the change for each pixel of a sub-span: floor(change * over / 2^32), |change| < 2^22,
  * over: zs_one_over of its length. log2: 0, or that of its length; then over is 2^(32 - log2) - 1,
  * and the result is below change / 2^log2 by less than a unit of change, if change > 0. */
-static inline uint32_t each(int32_t change, uint32_t over, uint32_t log2)
+ZS_ALWAYS_INLINE uint32_t each(int32_t change, uint32_t over, uint32_t log2)
 {
-    if (ZS_CROSS_SHORT && log2)
-        return (uint32_t)((change + (-change >> 31)) >> log2);
-    return (uint32_t)(zs_mul_su(change, over) >> 32);
+    if (!ZS_CROSS_SHORT)
+        return (uint32_t)(zs_mul_su(change, over) >> 32);
+    return log2 ? (uint32_t)((change + (-change >> 31)) >> log2) : each_of_last(change, over);
 }
 
 /* Fill the part of a sub-span that is in the run: n pixels, from the skip-th on. The colour changes
