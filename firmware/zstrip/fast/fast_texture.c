@@ -235,8 +235,8 @@ struct places {
 };
 
 /* Set up attribute k of a job from pixel i on. up: the shift that brings w to 31 bits. */
-static ZS_NOINLINE void places_of(struct places *p, const struct zs_job *job, int k, int32_t i,
-                                  int32_t row, int32_t up)
+static void places_of(struct places *p, const struct zs_job *job, int k, int32_t i, int32_t row,
+                      int32_t up)
 {
     const struct zs_sampler *s = &job->sampler;
     const int32_t turn = s->shift[k] + 1;
