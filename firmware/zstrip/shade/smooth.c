@@ -255,7 +255,7 @@ static ZS_NOINLINE __attribute__((unused)) uint32_t each_of_last(int32_t change,
 
 /* Return the change for each pixel of a sub-span: floor(change * over / 2^32), |change| < 2^22,
  * over: zs_one_over of its length. log2: 0, or that of its length; then over is 2^(32 - log2) - 1,
- * and the result is below change / 2^log2 by less than a unit of change, if change > 0. */
+ * and this is floor((change - 1) / 2^log2) for change > 0, else floor(change / 2^log2). */
 ZS_ALWAYS_INLINE uint32_t each(int32_t change, uint32_t over, uint32_t log2)
 {
     if (!ZS_CROSS_SHORT)
