@@ -18,8 +18,8 @@
  *     mipmap 565          12   12   12   12       25   25   25   25
  *     cutout pal8a        47   47   47   47       57   57   57   57
  *     cutout 4444         53   52   52   52       63   63   63   62
- * Closer to a floor or wall more pixels are divided one by one (shade/texture.c): there filters take
- * several times as much, and more than zs_shade_texture does, whose accelerator divides 16 at once.
+ * Closer to a floor or wall more pixels are divided one by one (shade/texture.c). There filters
+ * take several times as much; the accelerator of zs_shade_texture divides up to 16 at a time.
  * Light adds 26 (_flat and _smooth), as it does to zs_shade_texture without accelerators.
  * Flash on a Cortex-M3 (-O2, -Os), beyond zs_shade_texture: bilinear 3.2 and 1.6 KB, mipmaps 2.1
  * and 1.9 KB, the alpha test 0.7 and 0.6 KB, a format with alpha 0.3 KB.
