@@ -176,8 +176,8 @@ void zs_sky_look(struct zs_sky *sky, const struct zs_camera *camera, const struc
  * It needs mesh.normal (unit), material.texture, and mesh.uv_bits above log2 of the texture's width
  * and height, at most 15; 15 is best (else ZS_ERR_MESH). mesh.uv is not read.
  * Errors  2^-14.5 of the image's width, half a step of 2^-uv_bits, and those of zs_shade_texture.
- * Cost    that of zs_shade_texture without that shader's accelerator (those of texel formats
- *         count), and 75 instructions more a vertex on a Cortex-M3. */
+ * Cost    that of zs_shade_texture whose triangles are not small (zs_fast_texture helps with
+ *         divided pixels alone), and 75 instructions more a vertex on a Cortex-M3. */
 extern const struct zs_shader zs_shade_matcap;
 #define ZS_VARYINGS_MATCAP 2u
 

@@ -47,8 +47,9 @@ extern const struct zs_fast zs_fast_raw;
 extern const struct zs_fast zs_fast_flat;
 /* Depth test and colours in one loop. Worth 1.2 to 1.3; 1,008 bytes. */
 extern const struct zs_fast zs_fast_smooth;
-/* Set-up of small triangles; several pixels with a perspective division at a time. Worth 1.6 for
- * small triangles, nothing for large ones; 3,124 bytes. */
+/* Set-up of small triangles; several pixels with a perspective division at a time, of filters and
+ * of all other textured shaders too. Worth 1.6 for small triangles, nothing for large ones; 3,124
+ * bytes. */
 extern const struct zs_fast zs_fast_texture;
 /* The same, and lights a whole palette at once. Worth 1.4; 4,128 bytes. */
 extern const struct zs_fast zs_fast_texture_flat;

@@ -168,6 +168,11 @@ struct zs_pass_memory;
 struct zs_pass_kernel;
 struct zs_share_part;
 
+/* Draw pixels [i, end) of a scanline, each as zs_texture_pixel does (shade/texture.h). Called if
+ * job->gather is set, the texture is larger than a texel each way, and a reciprocal of 15 bits is
+ * precise enough for its texels. */
+typedef void zs_divided_fn(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end);
+
 /* The fields in frequent use come first: a Cortex-M0 reaches 31 bytes, 31 half-words and 31 words
  * behind a pointer with one instruction, any Cortex-M with one of 16 bits. Hooks of accelerators
  * are NULL where the core alone works. */
@@ -221,6 +226,7 @@ struct zs_renderer {
     const struct zs_fast_tiles *tiles;
     const struct zs_fast_batch *batch;
     const struct zs_fast_clusters *clusters_hooks;
+    zs_divided_fn *divided;
     uint32_t vert_packed;       /* pool vertices that remained after the last packing (zs_bin_pack):
                                    binned triangles use all of them ... */
     uint32_t tris_packed;       /* ... and triangles that there were then */

@@ -107,7 +107,12 @@ static void copy_fast(struct thing *t, const struct zs_fast *const *list)
     t->fast.fast.draw = of && of->draw ? sim_look_fast.draw : NULL;
     t->fast.fast.rows = sim_look_fast.rows;
     t->fast.fast.span = sim_look_fast.span;
-    if (!t->texel.of || !(of = listed(list, NULL, t->texel.of)))
+}
+
+static void copy_fast_texel(struct thing *t, const struct zs_fast *const *list)
+{
+    const struct zs_fast *const of = t->texel.of ? listed(list, NULL, t->texel.of) : NULL;
+    if (!of)
         return;
     t->texel.fast_of = of->texel;
     t->texel_hooks = *of->texel;
@@ -135,22 +140,26 @@ void sim_look_copy(struct zs_instance *in, struct thing *t, const struct zs_fast
         t->texture.format = &t->texel.texel;
         t->as.material.texture = &t->texture;
     }
-    if (t->shader.effect)
-        return;
-    copy_fast(t, list);
+    if (!t->shader.effect)
+        copy_fast(t, list);
+    copy_fast_texel(t, list);
 }
 
 const struct zs_fast **sim_look_list(const struct zs_fast *const *list, const struct thing *things, size_t n)
 {
-    size_t room = 2u * n + 2u, k = 0;
+    size_t room = 2u * n + 3u, k = 0;
     for (const struct zs_fast *const *at = list; at && *at; at++)
         room++;
     const struct zs_fast **out = sim_alloc(room, sizeof *out);
     if (sim_now.batch_of)
         out[k++] = &sim_now.batch_fast; /* in place of the list's: the first is used */
+    sim_now.divides.divided = NULL;
     for (; list && *list; list++)
         if (!(*list)->shader && !(*list)->format)
             out[k++] = *list;
+        else if (!sim_now.divides.divided)
+            sim_now.divides.divided = (*list)->divided;
+    out[k++] = &sim_now.divides; /* of all textured shaders */
     for (size_t i = 0; i < n; i++) {
         if (!things[i].shader.effect)
             out[k++] = &things[i].fast.fast;

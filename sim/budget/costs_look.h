@@ -81,7 +81,7 @@ struct sim_now {
     uint32_t band_end, walks, checksum;
     const struct zs_fast_batch *batch_of; /* what `batch` stands for */
     struct zs_fast_batch batch;
-    struct zs_fast batch_fast;
+    struct zs_fast batch_fast, divides; /* divides: what the list has for all textured shaders */
     struct binned { /* what it was handed, in the first walk, [0], and in the others */
         double instances, tris, boxed;
         double gathered; /* of tris: of meshes that were not transformed at once */

@@ -7,9 +7,9 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-CORE_MAX=${CORE_MAX:-4157}         # lines of code in core/ and the public headers; the goal is 4200
-ALL_MAX=${ALL_MAX:-12652}           # ... in all of firmware/zstrip; the goal is 7000
-EFFECTS_MAX=${EFFECTS_MAX:-4917}   # ... in effect/ and its public headers
+CORE_MAX=${CORE_MAX:-4166}         # lines of code in core/ and the public headers; the goal is 4200
+ALL_MAX=${ALL_MAX:-12659}           # ... in all of firmware/zstrip; the goal is 7000
+EFFECTS_MAX=${EFFECTS_MAX:-4986}   # ... in effect/ and its public headers
 OVERLAYS_MAX=${OVERLAYS_MAX:-1385} # ... in overlay/ and its public headers
 EXPLAIN_MAX=${EXPLAIN_MAX:-2034}   # ... in support/explain* and zs_explain.h
 METHODS_MAX=${METHODS_MAX:-2200}   # ... in method/ and its public headers

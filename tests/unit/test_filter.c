@@ -116,8 +116,8 @@ static double off_by(uint16_t wire, const double rgb[3])
 static double worst_code, worst_exact;
 static unsigned in_cells, own_cells;
 
-/* Any walk over any texture: within a code of the mean at the walk's own coordinates, rounded to 1/32 texel; and the
- * same pixels by parts. */
+/* Any walk over any texture, which counts from the first texel's middle: within a code of the mean at the walk's own
+ * coordinates, rounded to 1/32 texel; and the same pixels by parts, and gathered. */
 static int kernel_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -127,17 +127,17 @@ static int kernel_case(uint64_t seed)
     image_any(&p, &m, formats[prng_pick(&p, FORMATS)], prng_pick(&p, SIDE_LOG2 + 1), prng_pick(&p, SIDE_LOG2 + 1));
     lit.texture = m.texture;
     lit.texture.format = &zs_filter_bilinear;
+    lit.texture.log2_w = (uint8_t)(m.texture.log2_w + ZS_BILINEAR_LOG2);
+    lit.texture.log2_h = (uint8_t)(m.texture.log2_h + ZS_BILINEAR_LOG2);
+    const uint32_t right = 32u - lit.texture.log2_w, down = 32u - lit.texture.log2_h;
     const uint32_t cut = prng_pick(&p, prng_pick(&p, 2) ? 32 : 6);
     struct zs_walk w = { (uint32_t)prng_next(&p), (uint32_t)prng_next(&p), (uint32_t)((int32_t)prng_next(&p) >> cut),
                          (uint32_t)((int32_t)prng_next(&p) >> prng_pick(&p, 32)) };
     int32_t n = prng_pick(&p, 4) ? prng_range(&p, 1, RUN) : 2;
     for (int k = 0; k < 2; k++) { /* a clamped direction is walked inside the texture only */
         uint32_t *at = k ? &w.v : &w.u, *by = k ? &w.dv : &w.du;
-        const uint32_t log2 = k ? m.texture.log2_h : m.texture.log2_w;
         if (prng_pick(&p, 8) == 0)
             *(prng_pick(&p, 2) ? by : at) = 0;
-        if (log2 == 0)
-            *at = *by = 0; /* as shade/texture_run.c places them */
         if (m.texture.clamp >> k & 1 && n == 2)
             *by = (uint32_t)prng_next(&p) - *at; /* of two pixels, anywhere: from one border to the other, too */
         else if (m.texture.clamp >> k & 1)
@@ -156,8 +156,11 @@ static int kernel_case(uint64_t seed)
     for (int32_t i = 0; i < n; i++) {
         double rgb[3];
         const uint32_t u = w.u + w.du * (uint32_t)i, v = w.v + w.dv * (uint32_t)i;
-        const double at[2] = { ldexp(u, -32) * (1 << m.texture.log2_w) - 1.0 / 512,
-                               ldexp(v, -32) * (1 << m.texture.log2_h) - 1.0 / 512 };
+        const uint32_t place = (v >> down << lit.texture.log2_w) + (u >> right);
+        const double at[2] = { ldexp(u, -32) * (1 << m.texture.log2_w) + 0.5 - 1.0 / 64,
+                               ldexp(v, -32) * (1 << m.texture.log2_h) + 0.5 - 1.0 / 64 };
+        zs_filter_bilinear.gather(&lit.texture, part, 1, &place);
+        CASE_CHECK(part[0] == out[i]);
         mean(&m.texture, at[0], at[1], rgb);
         worst_exact = fmax(worst_exact, off_by(out[i], rgb));
         mean(&m.texture, floor(at[0] * 32 + 0.5) / 32, floor(at[1] * 32 + 0.5) / 32, rgb);

@@ -67,10 +67,13 @@ struct zs_fast_tiles {
     int32_t in_vain;
 };
 
+/* Fetch n texels; at[k] is row * width + column. */
+typedef void zs_gather_fn(const struct zs_texture *texture, uint16_t *out, int32_t n,
+                          const uint32_t *at);
+
 /* The inner loops of a texel format. */
 struct zs_fast_texel {
-    /* Fetch n texels; at[k] is row * width + column. */
-    void (*gather)(const struct zs_texture *texture, uint16_t *out, int32_t n, const uint32_t *at);
+    zs_gather_fn *gather;
     /* Test and draw a triangle: unlit, affine, texture repeated, log2_w and log2_h > 0, keys that
      * do not saturate. */
     void (*rows)(struct zs_job *job);
@@ -127,6 +130,7 @@ struct zs_fast {
     const struct zs_fast_batch *batch;
     const struct zs_fast_clusters *clusters;
     int (*edges)(struct zs_job *job, int32_t row); /* in place of zs_edges_columns */
+    zs_divided_fn *divided; /* of all textured shaders */
 #if ZS_SET_UP
     /* In place of set-up but for the columns, with the plane of the keys. job->v and job->key need
      * not be kept where it declines. */
@@ -156,10 +160,6 @@ struct zs_fast {
 
     /* Textured shaders: return a copy of the texture with a lit palette, or the texture itself. */
     const struct zs_texture *(*lit)(struct zs_job *job, const struct zs_texture *texture);
-    /* Draw pixels [i, end) of a scanline, each as zs_texture_pixel does. Called if job->texel is
-     * set, the texture repeats, and a reciprocal of 15 bits is precise enough for its texels. */
-    void (*divided)(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end);
-
     /* Loops of one texel format. */
     const struct zs_texel *format;
     const struct zs_fast_texel *texel;

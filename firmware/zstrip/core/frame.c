@@ -99,6 +99,7 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
     r->batch = 0;
     r->clusters_hooks = 0;
     r->edges = 0;
+    r->divided = 0;
     for (const struct zs_fast *const *at = r->config.fast; at && *at; at++) {
         const struct zs_fast *fast = *at;
         r->touch = r->touch ? r->touch : fast->touch;
@@ -106,6 +107,7 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
         r->batch = r->batch ? r->batch : fast->batch;
         r->clusters_hooks = r->clusters_hooks ? r->clusters_hooks : fast->clusters;
         r->edges = r->edges ? r->edges : fast->edges;
+        r->divided = r->divided ? r->divided : fast->divided;
     }
     if (r->passes || r->span != zs_rows_test) {
         r->touch = 0;

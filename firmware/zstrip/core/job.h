@@ -155,6 +155,7 @@ struct zs_job {
     int32_t bias;                 /* with a depth_state: buckets added to every key */
     const struct zs_texture *texture;  /* the instance's material's */
     const struct zs_fast_texel *texel; /* loops of the texture's format; NULL: none */
+    zs_gather_fn *gather; /* of sampler.texture; NULL: there is none */
     int32_t top, bottom;               /* rows [top, bottom) of the frame are the viewport's */
 #if ZS_SET_UP
     uint32_t piece_shift, key_slow, key_known; /* of the view */

@@ -211,6 +211,8 @@ static ZS_NOINLINE int (*job_instance(struct zs_job *job, uint32_t number))(stru
             job->texel = of ? of->texel : 0;
         }
     }
+    if (!ZS_NO_FAST)
+        job->gather = job->texel ? job->texel->gather : 0;
     job->depth_state = r->depth ? instance->depth_state : 0;
     job->split = 0;
     job->span = r->span;

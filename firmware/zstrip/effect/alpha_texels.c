@@ -6,7 +6,6 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/fast.h"
 #include "core/fx.h"
 #include "core/pass.h"
 #include "effect/alpha_texels.h"
@@ -110,6 +109,7 @@ struct zs_texture *zs_texture_instead(struct zs_job *job)
     lit->level = NO_LEVEL;
     lit->texture = *lit->of;
     job->sampler.texture = &lit->texture;
+    job->gather = 0;
     return &lit->texture;
 }
 
@@ -135,40 +135,23 @@ static void fetch_alpha(const struct zs_texture *t, uint16_t *out, int32_t n,
         out[ZS_ALPHA_RUN + i] = 255;
 }
 
-static const struct zs_texel with_alpha = { .fetch = fetch_alpha };
-
-/* Where texels lie far apart, the accelerator of zs_shade_texture divides for a piece of a run at a
- * time, and gathers: cut-outs and blended textures in perspective take a third less. */
-#if !ZS_NO_FAST
+/* Where texels lie far apart, an accelerator divides for a piece of a run at a time, and gathers:
+ * cut-outs and blended textures in perspective take a third less. */
 static void gather_alpha(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
     t = zs_texture_behind(t);
     t->format->gather(t, out, n, at);
 }
-#define GATHER_LEAST 8 /* px: shorter runs take up to 6 % more by it */
-static const struct zs_fast_texel alpha_texel = { .gather = gather_alpha };
 
-/* Set job->fast and job->texel for a run of texels with alpha; 0 where there is none. */
-static void run_fast(struct zs_job *job)
-{
-    const struct zs_fast *const *at = job->r->config.fast;
-    job->fast = 0;
-    job->texel = 0;
-    if (!zs_texture_behind(job->sampler.texture)->format->gather)
-        return;
-    for (; at && *at; at++)
-        if ((*at)->divided) {
-            job->fast = *at;
-            job->texel = &alpha_texel;
-            return;
-        }
-}
-#endif
+static const struct zs_texel with_alpha = { .fetch = fetch_alpha };
 
 void zs_alpha_start(struct zs_job *job)
 {
     zs_texture_start(job);
-    zs_texture_instead(job)->format = &with_alpha;
+    struct zs_texture *const t = zs_texture_instead(job);
+    if (t->format->gather)
+        job->gather = ZS_IF_FAST(gather_alpha);
+    t->format = &with_alpha;
 }
 
 void zs_alpha_fetch(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t n,
@@ -178,16 +161,6 @@ void zs_alpha_fetch(struct zs_job *job, const struct zs_row *row, int32_t r0, in
     struct zs_row here = *row;
     here.at = -r0;
     job->color = px;
-#if ZS_NO_FAST
     zs_texture_run(job, &here, r0, r0 + n);
-#else
-    const struct zs_fast *const fast = job->fast;
-    const struct zs_fast_texel *const texel = job->texel;
-    if (n >= GATHER_LEAST)
-        run_fast(job);
-    zs_texture_run(job, &here, r0, r0 + n);
-    job->fast = fast;
-    job->texel = texel;
-#endif
     job->color = color;
 }

@@ -9,9 +9,29 @@
 #include "shade/stages.h"
 #include "zs_filter.h"
 
-/* The `fetch` of a texture in place of the instance's (zs_texture_instead): bilinear, of texels in
- * the instance's format. */
+/* Bilinear: the format of a texture in place of the instance's (zs_texture_instead), of texels in
+ * the instance's format. Coordinates of that texture have so many bits below the texel, which count
+ * in its size ... */
 extern const struct zs_texel zs_filter_bilinear;
+#define ZS_BILINEAR_LOG2 5u
+/* ... and are counted from here after a border: the middle of the first texel, less 1/64 texel to
+ * round. Return that in uq0_32 of a texture with 2^log2 texels. */
+static inline int32_t zs_bilinear_first(uint32_t log2)
+{
+    return (int32_t)((1u << (31u - log2)) - (1u << (26u - log2)));
+}
+
+/* Let the rest of job's triangle be drawn so. To be called after the textured shader's start. */
+void zs_bilinear_begin(struct zs_job *job);
+
+/* Subtract from coordinate k of a triangle, 2^-32 repeats. */
+static inline void zs_coordinate_less(struct zs_job *job, int k, int32_t by)
+{
+    if (job->sampler.direct)
+        job->c[k].base -= (uint32_t)by;
+    else
+        job->sampler.base[k] -= (uint64_t)(int64_t)by; /* clamped ones need whole repeats */
+}
 
 struct zs_filter_kind {
     void (*instead)(struct zs_job *job); /* after the shader's start */

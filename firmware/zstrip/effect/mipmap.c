@@ -44,27 +44,57 @@ static int mipmap_check_lit(const struct zs_instance *in, const struct zs_config
 
 /* ---- Levels ---------------------------------------------------------------------------------- */
 
+/* The `fetch` of a level that is a texel wide or high: it was not so when coordinates were set
+ * up. */
+static void fetch_line(const struct zs_texture *t, uint16_t *out, int32_t n,
+                       const struct zs_walk *walk)
+{
+    struct zs_walk in = *walk;
+    if (t->log2_w == 0)
+        in.u = in.du = 0;
+    if (t->log2_h == 0)
+        in.v = in.dv = 0;
+    const struct zs_texel *const format = zs_texture_behind(t)->format;
+    format->own(t, out, n, &in);
+}
+
+static const struct zs_texel line = { .fetch = fetch_line };
+
+/* What a triangle keeps in memory that is a lit palette's otherwise: [0] ZS_BILINEAR_LOG2, or 0 for
+ * nearest texels; from [2] on, the thresholds of w for levels 1 .. ZS_TEXTURE_LOG2_MAX, two halves
+ * each, as it has words of 16 bits. */
+static uint16_t *kept(const struct zs_job *job)
+{
+    return job->r->lit.color;
+}
+_Static_assert(2 * (ZS_TEXTURE_LOG2_MAX + 1) <= ZS_LIT_COLORS, "thresholds fit");
+
 /* Draw the rest from a level of the instance's texture. */
 static void level_use(struct zs_job *job, uint32_t level)
 {
+    const uint32_t more = kept(job)[0];
     struct zs_texture *const t = &job->r->lit.texture;
     const struct zs_texture *const whole = zs_texture_behind(t);
     const uint8_t *texel = whole->texel;
+    const uint32_t log2_w = whole->log2_w - level, log2_h = whole->log2_h - level;
     uint32_t bytes = 1u << (whole->log2_w + whole->log2_h + whole->format->log2_bits) >> 3;
     for (uint32_t k = 0; k < level; k++, bytes >>= 2)
         texel += bytes;
     t->texel = texel;
-    t->log2_w = (uint8_t)(whole->log2_w - level);
-    t->log2_h = (uint8_t)(whole->log2_h - level);
+    if (more) {
+        zs_coordinate_less(job, 0, zs_bilinear_first(log2_w) - zs_bilinear_first(t->log2_w - more));
+        zs_coordinate_less(job, 1, zs_bilinear_first(log2_h) - zs_bilinear_first(t->log2_h - more));
+    } else {
+        t->format = log2_w && log2_h ? whole->format : &line;
+        job->gather = log2_w && log2_h && ZS_IF_FAST(job->texel) ? job->texel->gather : 0;
+    }
+    t->log2_w = (uint8_t)(log2_w + more);
+    t->log2_h = (uint8_t)(log2_h + more);
 }
-
-/* The thresholds of w for levels 1 .. ZS_TEXTURE_LOG2_MAX, in memory that is a lit palette's
- * otherwise: halves, as it has words of 16 bits. */
-_Static_assert(2 * (ZS_TEXTURE_LOG2_MAX + 1) <= ZS_LIT_COLORS, "thresholds fit");
 
 static inline uint32_t threshold(const struct zs_job *job, uint32_t level)
 {
-    const uint16_t *const half = job->r->lit.color + 2u * level;
+    const uint16_t *const half = kept(job) + 2u * level;
     return (uint32_t)half[1] << 16 | half[0];
 }
 
@@ -82,8 +112,8 @@ static void thresholds_set(struct zs_job *job, uint64_t k, int32_t e, uint32_t n
                            : by <= 0                     ? at >> -by
                            : by >= 32 || at >> (32 - by) ? (at ? UINT32_MAX : 0u)
                                                          : at << by;
-        job->r->lit.color[2u * level] = (uint16_t)w;
-        job->r->lit.color[2u * level + 1u] = (uint16_t)(w >> 16);
+        kept(job)[2u * level] = (uint16_t)w;
+        kept(job)[2u * level + 1u] = (uint16_t)(w >> 16);
     }
 }
 
@@ -180,43 +210,30 @@ static uint32_t affine(const struct zs_job *job, const struct zs_texture *t, int
     return level;
 }
 
-/* The `fetch` of a level: one that is a texel wide or high was not so when coordinates were set
- * up. */
-static void fetch_level(const struct zs_texture *t, uint16_t *out, int32_t n,
-                        const struct zs_walk *walk)
-{
-    struct zs_walk in = *walk;
-    if (t->log2_w == 0)
-        in.u = in.du = 0;
-    if (t->log2_h == 0)
-        in.v = in.dv = 0;
-    const struct zs_texel *const format = zs_texture_behind(t)->format;
-    format->own(t, out, n, &in);
-}
-
-static const struct zs_texel nearest = { .fetch = fetch_level };
-
-static void instead(struct zs_job *job, const struct zs_texel *format)
+/* Choose the levels of a triangle, whose texture is a copy already. more: as kept. */
+static void levels_of(struct zs_job *job, uint16_t more)
 {
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
-    struct zs_texture *const t = zs_texture_instead(job);
-    t->format = format;
+    const struct zs_texture *const t = in->material->texture;
+    kept(job)[0] = more;
     if (t->n_levels <= 1)
-        return;
-    if (job->sub_log2 == ZS_AFFINE)
-        level_use(job, affine(job, in->material->texture, in->mesh->uv_bits));
+        level_use(job, 0);
+    else if (job->sub_log2 == ZS_AFFINE)
+        level_use(job, affine(job, t, in->mesh->uv_bits));
     else
-        perspective(job, in->material->texture, in->mesh->uv_bits);
+        perspective(job, t, in->mesh->uv_bits);
 }
 
 static void levels(struct zs_job *job)
 {
-    instead(job, &nearest);
+    zs_texture_instead(job);
+    levels_of(job, 0);
 }
 
 static void levels_linear(struct zs_job *job)
 {
-    instead(job, &zs_filter_bilinear);
+    zs_bilinear_begin(job);
+    levels_of(job, ZS_BILINEAR_LOG2);
 }
 
 static void mipmap_start(struct zs_job *job)

@@ -306,7 +306,6 @@ static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t
                                       int32_t row, int32_t lz)
 {
     const struct zs_texture *t = job->sampler.texture;
-    const struct zs_fast_texel *texel = job->texel;
     const int32_t up = lz - 1;
     const int lit = job->shader->n_varyings == 3;
     struct places p;
@@ -324,7 +323,7 @@ static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t
         else
             places(at, n, &p, log2_w);
     }
-    texel->gather(t, out, n, at);
+    job->gather(t, out, n, at);
     if (!lit) {
         zs_texture_lighten(job, out, n, 0, 0);
         return;

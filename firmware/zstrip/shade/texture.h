@@ -31,8 +31,8 @@ struct zs_texel {
     /* As fetch, and alphas too, 0 .. 255, to out[ZS_ALPHA_RUN ..]; n <= ZS_ALPHA_RUN
      * (effect/alpha_texels.h). NULL: every texel is opaque. */
     void (*both)(const struct zs_texture *, uint16_t *out, int32_t n, const struct zs_walk *walk);
-    /* As both, texels row * width + column = at[k], for zs_fast.divided; NULL: there is none. */
-    void (*gather)(const struct zs_texture *, uint16_t *out, int32_t n, const uint32_t *at);
+    /* As both, for zs_job.gather; NULL: there is none. */
+    zs_gather_fn *gather;
 };
 
 /* Return ZS_OK, or why the shaders cannot read a texture. */

@@ -204,10 +204,10 @@ ZS_IN_ORDER ZS_NOINLINE void zs_texture_pixel(struct zs_job *job, const struct z
     const uint32_t rcp = zs_recip15(w << up);
     const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)),
                    v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
-    if (ZS_IF_FAST(job->fast) && job->texel) { /* not a shader that fetches in its own way */
+    if (ZS_IF_FAST(job->gather)) {
         const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) +
                             (u >> zs_texture_cut(t->log2_w));
-        job->texel->gather(t, out, 1, &at);
+        job->gather(t, out, 1, &at);
     } else {
         const struct zs_walk walk = { u, v, 0, 0 };
         t->format->fetch(t, out, 1, &walk);
@@ -225,10 +225,9 @@ static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0,
     const struct zs_texture *const t = job->sampler.texture;
     const int down = (int32_t)job->w.gx < 0;
     int32_t from = row->x0 + ((r0 - row->x0) & -GROUP);
-    void (*const divided)(struct zs_job *, const struct zs_row *, int32_t, int32_t) =
-        ZS_IF_FAST(job->fast) && job->texel && !job->sampler.fine && t->log2_w && t->log2_h
-            ? job->fast->divided
-            : 0;
+    zs_divided_fn *const divided =
+        ZS_IF_FAST(job->gather) && !job->sampler.fine && t->log2_w && t->log2_h ? job->r->divided
+                                                                                : 0;
     for (; from < r1; from += GROUP) {
         const int32_t to = zs_min32(from + GROUP, row->x1 - 1); /* covered */
         int32_t i0 = zs_max32(from, r0);
