@@ -55,7 +55,7 @@ endef
 $(foreach d,unit property tools,$(eval $(call test_program,$d)))
 # The same with the rows of a matrix as cores have them that do not add products to 64 bits (wide.h): what reads rows is
 # compiled so, the rest is no other (zs_renderer.h gives rows one size)
-NARROW = tests/unit/test_xform.c $(shell grep -lwE 'ZS_ROW_WORDS|zs_rows' $(CORE))
+NARROW = tests/unit/test_xform.c $(shell grep -lwE 'ZS_ROW_WORDS|zs_matrix_rows' $(CORE))
 $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 	$(folder)
 	@$(TEST_CC) -DZS_ROW_WIDE=0 -DZS_64=0 $(DEP) -c $< -o $@

@@ -91,9 +91,9 @@ struct zs_view {
 };
 
 /* The transform of an instance to camera units: c = (m . p + t) / 2^shift, floor. This is the
- * layout of one row of it, in the order in which zs_row (arch/wide.h) reads it. With ZS_ROW_WIDE
- * the row is stored whole. Else it is split so that 32 bits hold every sum: m = high 2^s + low, t =
- * t_high 2^shift + t_low (core/xform.c). */
+ * layout of one row of it, in the order in which zs_matrix_row (arch/wide.h) reads it. With
+ * ZS_ROW_WIDE the row is stored whole. Else it is split so that 32 bits hold every sum: m = high
+ * 2^s + low, t = t_high 2^shift + t_low (core/xform.c). */
 enum zs_row_word {
     ZS_ROW_LOW = 0,     /* [3]: |.| <= 2^14 */
     ZS_ROW_T_LOW = 3,   /* |.| <= 2^28 */

@@ -52,7 +52,7 @@ static inline int wide_row_right(uint32_t a, uint32_t b)
                                  shift,
                                  32 - shift };
     const int64_t sum = (int64_t)row[0] * x + (int64_t)row[1] * y + (int64_t)row[2] * z + t;
-    return zs_row((const int32_t *)row, x, y, z) == (int32_t)(uint32_t)(sum >> shift);
+    return zs_matrix_row((const int32_t *)row, x, y, z) == (int32_t)(uint32_t)(sum >> shift);
 }
 #else
 static inline int wide_row_right(uint32_t a, uint32_t b)
@@ -64,7 +64,8 @@ static inline int wide_row_right(uint32_t a, uint32_t b)
                                  (int32_t)(a % 37837u) - 18918, s2, (int32_t)b };
     const int64_t low = (int64_t)row[0] * x + (int64_t)row[1] * y + (int64_t)row[2] * z + row[3];
     const int64_t high = (low >> s) + (int64_t)row[5] * x + (int64_t)row[6] * y + (int64_t)row[7] * z;
-    return zs_row((const int32_t *)row, x, y, z) == (int32_t)((uint32_t)((int32_t)high >> s2) + (uint32_t)row[9]);
+    return zs_matrix_row((const int32_t *)row, x, y, z) ==
+           (int32_t)((uint32_t)((int32_t)high >> s2) + (uint32_t)row[9]);
 }
 #endif
 
@@ -89,9 +90,10 @@ static inline int wide_rows_right(uint32_t a, uint32_t b)
 #endif
     }
     out[6] = (int32_t)a;
-    zs_rows(row, p, out, 2);
+    zs_matrix_rows(row, p, out, 2);
     for (int k = 0; k < 6; k++)
-        right &= out[k] == zs_row(row + k % 3 * ZS_ROW_WORDS, p[k / 3 * 3], p[k / 3 * 3 + 1], p[k / 3 * 3 + 2]);
+        right &= out[k] ==
+                 zs_matrix_row(row + k % 3 * ZS_ROW_WORDS, p[k / 3 * 3], p[k / 3 * 3 + 1], p[k / 3 * 3 + 2]);
     return right && out[6] == (int32_t)a;
 }
 

@@ -128,7 +128,7 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
  * the seven registers here; a compiler takes 45 cycles and spills. */
 #if ZS_ROW_WIDE
 
-static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
+static inline int32_t zs_matrix_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
 {
     int64_t sum = (int64_t)((uint64_t)(uint32_t)row[4] << 32 | (uint32_t)row[3]);
     sum += (int64_t)row[0] * x;
@@ -139,7 +139,7 @@ static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z
 
 #elif defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__)
 
-static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
+static inline int32_t zs_matrix_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
 {
     /* ldm goes by their numbers */
     register int32_t sum __asm__("r3"), t1 __asm__("r4"), t2 __asm__("r5");
@@ -158,7 +158,7 @@ static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z
 
 #else
 
-static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
+static inline int32_t zs_matrix_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
 {
     const int32_t low = row[0] * x + row[1] * y + row[2] * z + row[3];
     const uint32_t high = (uint32_t)(low >> row[4]) + (uint32_t)row[5] * (uint32_t)x +
@@ -172,7 +172,7 @@ static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z
 #if ZS_ROW_WIDE && defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && \
     defined(__OPTIMIZE__)
 
-static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
+static inline void zs_matrix_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
 {
     const int32_t *const end = out + 3u * n;
 #define ZS_ROW_NEXT                                                            \
@@ -194,13 +194,13 @@ static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, u
 
 #else
 
-static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
+static inline void zs_matrix_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
 {
     for (int32_t *const end = out + 3u * n; out != end; out += 3, p += 3) {
         const int32_t x = p[0], y = p[1], z = p[2];
-        out[0] = zs_row(row, x, y, z);
-        out[1] = zs_row(row + ZS_ROW_WORDS, x, y, z);
-        out[2] = zs_row(row + 2 * ZS_ROW_WORDS, x, y, z);
+        out[0] = zs_matrix_row(row, x, y, z);
+        out[1] = zs_matrix_row(row + ZS_ROW_WORDS, x, y, z);
+        out[2] = zs_matrix_row(row + 2 * ZS_ROW_WORDS, x, y, z);
     }
 }
 

@@ -125,7 +125,7 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
     if (shader->place)
         shader->place(xf, v, out);
     else if (!ZS_FOR_SIZE && !mesh->pos_lo)
-        zs_rows(row, mesh->pos[v], out->c, 1);
+        zs_matrix_rows(row, mesh->pos[v], out->c, 1);
     else
         for (int k = 0; k < 3; k++, row += ZS_ROW_WORDS)
             out->c[k] = zs_xform_fine(row, mesh->pos[v], mesh->pos_lo ? mesh->pos_lo[v] : 0);

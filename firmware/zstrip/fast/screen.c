@@ -18,14 +18,14 @@ _Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536,
 /* The result is exact, also if the rows are split (without ZS_ROW_WIDE). With m = high 2^s + low
  * and t = t_high 2^shift + t_low, the sum is
  *   high . p 2^s + (low . p + t_low) + t_high 2^shift
- * Successive floors compose, so zs_row may add the part of the bracket above 2^s to the first sum.
- * |bracket| is below 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift, and sums wrap
- * modulo 2^32, as the result does. With a larger shift, s is 15, and the sum with high fits 32
- * bits: it is below 1.74 * 2^30 + 2^17, because a row of the matrix is no longer than 2^30 (1 +
- * 2^-18), and p no longer than 2^15 sqrt 3. */
+ * Successive floors compose, so zs_matrix_row may add the part of the bracket above 2^s to the
+ * first sum. |bracket| is below 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift, and
+ * sums wrap modulo 2^32, as the result does. With a larger shift, s is 15, and the sum with high
+ * fits 32 bits: it is below 1.74 * 2^30 + 2^17, because a row of the matrix is no longer than 2^30
+ * (1 + 2^-18), and p no longer than 2^15 sqrt 3. */
 static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    zs_rows(xf->row, xf->instance->mesh->pos[v], &out->x, n);
+    zs_matrix_rows(xf->row, xf->instance->mesh->pos[v], &out->x, n);
 }
 _Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4 &&
                    offsetof(struct zs_vertex, d) == 8,

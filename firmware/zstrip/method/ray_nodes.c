@@ -58,7 +58,7 @@ static int left_out(const struct zs_renderer *r, const struct zs_bvh_node *node)
     for (int k = 0; k < 3; k++) {
         const int32_t *const row = r->xform.row + k * ZS_ROW_WORDS;
         const int16_t *p = node->center;
-        c[k] = mesh->pos_lo ? zs_xform_fine(row, p, whole) : zs_row(row, p[0], p[1], p[2]);
+        c[k] = mesh->pos_lo ? zs_xform_fine(row, p, whole) : zs_matrix_row(row, p[0], p[1], p[2]);
     }
     if (one) {
         x = s->x;

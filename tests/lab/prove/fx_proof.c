@@ -115,7 +115,7 @@ void row(void)
         r[4] = s;
         r[8] = any_i32(0, 14);
         r[9] = any_i32(INT32_MIN, INT32_MAX);
-        (void)zs_row(r, any_i32(-32768, 32767), any_i32(-32768, 32767), any_i32(-32768, 32767));
+        (void)zs_matrix_row(r, any_i32(-32768, 32767), any_i32(-32768, 32767), any_i32(-32768, 32767));
     }
 }
 
