@@ -18,7 +18,7 @@
 
 #define TRIANGLES 200000u
 
-/* The core's way, as core/raster.c has it. Sets *row_last alone if there are no rows. */
+/* The core's way, as core/raster.c has it. Sets *tri_end alone if there are no rows. */
 static enum zs_set_up by_core(struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
@@ -27,8 +27,8 @@ static enum zs_set_up by_core(struct zs_job *job)
     const int32_t b_row = zs_first_sample(b->y), c_row = zs_first_sample(c->y);
     job->row = zs_max32(zs_first_sample(a->y), job->y0);
     job->row_mid = zs_min32(b_row, c_row);
-    job->row_last = zs_max32(b_row, c_row);
-    job->row_end = zs_min32(job->row_last, job->y1);
+    job->tri_end = zs_max32(b_row, c_row);
+    job->row_end = zs_min32(job->tri_end, job->y1);
     if (job->row >= job->row_end)
         return ZS_SET_UP_NONE;
     job->cut_end = zs_min32(job->row_end, job->row + ZS_CUT_ROWS);
@@ -139,7 +139,7 @@ int main(void)
             wrong = 1;
         if (did == ZS_SET_UP_ROWS && !same(&fast, &core))
             wrong = 2;
-        if (did == ZS_SET_UP_NONE && fast.row_last != core.row_last)
+        if (did == ZS_SET_UP_NONE && fast.tri_end != core.tri_end)
             wrong = 3;
         if (did == ZS_SET_UP_ROWS && !same_colors(&fast, &core, &colored))
             wrong = 5;

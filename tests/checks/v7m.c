@@ -43,7 +43,7 @@ struct drawn {
     uint16_t depth[W * H], color[W * H], list[1 + LIST];
     uint32_t tested, set_up, declined; /* declined: triangles, a bit each */
     uint32_t steps; /* sum of what lit triangles are stepped by */
-    int32_t row_last;
+    int32_t tri_end;
 };
 static struct zs_tri tri[LIST];
 
@@ -80,13 +80,13 @@ static void lit_in_c(struct zs_job *job, const struct zs_texture *t, struct zs_t
     of_c->small_lit(job, t, w);
 }
 
-/* Return 1 if job->tri has no row in the strip, which the core then finds; row_last is set. */
+/* Return 1 if job->tri has no row in the strip, which the core then finds; tri_end is set. */
 static int no_row(struct zs_job *job)
 {
     const uint16_t *v = job->tri->v;
     const int32_t y = pool[v[0]].y;
-    job->row_last = zs_first_sample(zs_max32(pool[v[1]].y, pool[v[2]].y));
-    return zs_min32(job->row_last, job->y1) <= zs_max32(zs_first_sample(y), job->y0);
+    job->tri_end = zs_first_sample(zs_max32(pool[v[1]].y, pool[v[2]].y));
+    return zs_min32(job->tri_end, job->y1) <= zs_max32(zs_first_sample(y), job->y0);
 }
 
 /* Draw a list, and keep the list of those that go on below the strip. In C if in_c is NULL; else by hand, and what is
@@ -125,7 +125,7 @@ static uint32_t draw(struct drawn *d, struct by by, const struct by *in_c, const
             other.fast = in_c->fast;
             other.texel = in_c->texel;
             done = in_c->fast->draw(&other);
-            job.row_last = other.row_last;
+            job.tri_end = other.tri_end;
             more += done != 0;
         }
         if (!done && !no_row(&job)) {
@@ -133,8 +133,8 @@ static uint32_t draw(struct drawn *d, struct by by, const struct by *in_c, const
             continue;
         }
         i = (uint32_t)(job.tri - tri);
-        d->row_last = job.row_last;
-        if (job.row_last > job.y1) {
+        d->tri_end = job.tri_end;
+        if (job.tri_end > job.y1) {
             *keep = (uint16_t)i;
             keep = &tri[i].next;
         }
@@ -149,7 +149,7 @@ static uint32_t draw(struct drawn *d, struct by by, const struct by *in_c, const
     d->set_up = r.stats.tris_setup;
     d->steps = steps;
     if (d->declined >> (LIST - 1u)) /* then it is not known of the one before */
-        d->row_last = 0;
+        d->tri_end = 0;
     return more;
 }
 
@@ -180,7 +180,7 @@ static int same(struct by hand, struct by in_c, const struct zs_texture *texture
         a.depth[i] = b.depth[i] = far ? (uint16_t)(0xffffu - (far == 1 ? next() : 0)) : (uint16_t)(key >> 16);
         a.color[i] = b.color[i] = 0;
     }
-    a.row_last = b.row_last = 0;
+    a.tri_end = b.tri_end = 0;
     draw(&a, in_c, 0, texture);
     n[2] += draw(&b, hand, &in_c, texture);
     n[0] += a.set_up;

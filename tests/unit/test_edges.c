@@ -104,7 +104,7 @@ static int edges_right(struct zs_job *job, const struct zs_vertex *const down[3]
 {
     const int32_t first = zs_first_sample(down[0]->y), last = zs_first_sample(down[2]->y);
     job->row_mid = zs_first_sample(down[1]->y);
-    job->row_last = last;
+    job->tri_end = last;
     job->row_end = last < y1 ? last : y1;
     for (int32_t row = first > y0 ? first : y0; row < job->row_end; row = job->cut_end) {
         struct zs_renderer *r = job->r;

@@ -41,7 +41,7 @@ struct zs_track_kernel {
 
     /* For strips in which only the columns of r->window are drawn: */
 
-    /* Return 1 if job->tri lies outside these columns. Sets job->row_last. */
+    /* Return 1 if job->tri lies outside these columns. Sets job->tri_end. */
     int (*beside)(struct zs_job *job);
     /* Return 1 if enough of job->tri lies outside these columns that it pays to clip its spans. */
     int (*reaches)(const struct zs_job *job);

@@ -20,7 +20,7 @@
 /* What a set-up says. */
 enum zs_set_up {
     ZS_SET_UP_NOT = 0,  /* declined */
-    ZS_SET_UP_NONE = 1, /* no row in the strip; job->row_last is set */
+    ZS_SET_UP_NONE = 1, /* no row in the strip; job->tri_end is set */
     ZS_SET_UP_ROWS = 2  /* keys are linear; all is set but the columns */
 };
 
@@ -141,11 +141,11 @@ struct zs_fast {
     const struct zs_shader *shader;
     /* In place of set-up and rasterisation: draw job->tri in its strip. Called if the triangle has
      * no depth state, its keys may be linear, and no pixel of the strip is uncleared. Sets
-     * job->row_last if it returns 1. Where job->chain is set (ZS_CHAIN_USED), it may also draw the
+     * job->tri_end if it returns 1. Where job->chain is set (ZS_CHAIN_USED), it may also draw the
      * triangles that follow in the list, while they are of the same instance and end in this strip;
      * it leaves job->tri at the last one that it has drawn. Where ZS_CHAIN_KEEPS is 1, those before
      * the last may go on below the strip: it appends them to job->keep. If it declines one of those
-     * that follow, job->row_last is job->y1: the last one has been appended as well. */
+     * that follow, job->tri_end is job->y1: the last one has been appended as well. */
     int (*draw)(struct zs_job *job);
 #if ZS_SET_UP
     /* In place of shader->start. */

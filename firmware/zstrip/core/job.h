@@ -144,7 +144,7 @@ struct zs_job {
     int32_t row, cut_end, row_end; /* rows of the frame: `cut` holds the spans of [row, cut_end);
                                       the triangle's rows in this strip end at row_end */
     int32_t row_mid;              /* first row below the middle vertex, inside the strip or not */
-    int32_t row_last;             /* one beyond the triangle's last row, inside the strip or not */
+    int32_t tri_end;              /* one beyond the triangle's last row, inside the strip or not */
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
     struct zs_plane key;          /* keys, if linear on the screen, half a bucket added */
     uint32_t key_limit;           /* if all vertices' keys are below it, no pixel's key saturates */

@@ -65,8 +65,8 @@ static int sides(struct zs_job *job)
     const int32_t b_row = zs_first_sample(b->y), c_row = zs_first_sample(c->y);
     job->row = zs_max32(zs_first_sample(a->y), job->y0);
     job->row_mid = zs_min32(b_row, c_row);
-    job->row_last = zs_max32(b_row, c_row);
-    job->row_end = zs_min32(job->row_last, job->y1);
+    job->tri_end = zs_max32(b_row, c_row);
+    job->row_end = zs_min32(job->tri_end, job->y1);
     if (job->row >= job->row_end)
         return 0;
     zs_plane_sides(job, a, b, c);
@@ -167,7 +167,7 @@ static inline int beyond(const struct zs_job *job, uint32_t d)
     return pool[v[0]].d > d && pool[v[1]].d > d && pool[v[2]].d > d;
 }
 
-/* Return 1 if job->tri draws no pixel in the strip; job->row_last is then set. */
+/* Return 1 if job->tri draws no pixel in the strip; job->tri_end is then set. */
 static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 {
     if (s->beside && job->r->track->beside(job))
@@ -309,7 +309,7 @@ void zs_raster_strip(struct zs_renderer *r)
             }
         }
         t = zs_fast_reached(&job, t, &list); /* one that was declined as well */
-        if (goes_on && job.row_last > job.y1) {
+        if (goes_on && job.tri_end > job.y1) {
             *keep = list;
             keep = &t->next;
         }

@@ -373,7 +373,7 @@ static int beside(struct zs_job *job)
     const struct zs_vertex *pool = job->r->vert;
     const uint16_t *v = job->tri->v, *window = job->r->window;
     const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
-    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
+    job->tri_end = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
     return zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)) >= window[1] ||
            zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)) <= window[0];
 }

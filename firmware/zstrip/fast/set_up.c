@@ -20,7 +20,7 @@ _Static_assert(sizeof(struct zs_vertex) == 12 && offsetof(struct zs_vertex, d) =
                "a record of the pools");
 _Static_assert(AT(key.gx) == AT(key) + 4 && AT(key.gy) == AT(key) + 8, "stored at once");
 _Static_assert(AT(cut_end) == AT(row) + 4 && AT(row_end) == AT(row) + 8 &&
-                   AT(row_mid) == AT(row) + 12 && AT(row_last) == AT(row) + 16,
+                   AT(row_mid) == AT(row) + 12 && AT(tri_end) == AT(row) + 16,
                "stored at once");
 _Static_assert(AT(geom.dx2) == AT(geom) + 4 && AT(geom.dy1) == AT(geom) + 8 &&
                    AT(geom.dy2) == AT(geom) + 12 && AT(geom.area) == AT(geom) + 16 &&
@@ -138,7 +138,7 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
     [v] "i"(AT(v)), [key] "i"(AT(key)), [gx] "i"(AT(key.gx)), [gy] "i"(AT(key.gy)),                \
     [limit] "i"(AT(key_limit)), [piece] "i"(AT(piece_shift)), [geom] "i"(AT(geom)),                \
     [right] "i"(AT(mid_right)), [saturates] "i"(AT(saturates)), [y0] "i"(AT(y0)),                  \
-    [y1] "i"(AT(y1)), [row] "i"(AT(row)), [last] "i"(AT(row_last)), [rcp] "i"(AT(geom.rcp)),       \
+    [y1] "i"(AT(y1)), [row] "i"(AT(row)), [last] "i"(AT(tri_end)), [rcp] "i"(AT(geom.rcp)),       \
     [ax] "i"(AT(geom.ax)), [rows] "i"(ZS_SET_UP_ROWS), [none] "i"(ZS_SET_UP_NONE),                 \
     [ia] "i"(AT(geom.ia)), [cut] "i"(AT(cut)), [end] "i"(AT(cut_end)),                             \
     [row_end] "i"(AT(row_end)), [empty] "i"(ZS_SET_UP_EMPTY)

@@ -155,7 +155,7 @@ void zs_set_up_cuts_part(void); /* of zs_fast_edges, on an RP2040: the rows from
     "ldr r2, [r4, %[tri]]\n\tldrh r3, [r2, #6]\n\tldrh r5, [r2, #10]\n\tadds r0, r3, #1\n\t"       \
     "lsrs r0, #16\n\tbne 1f\n\tmovs r0, #12\n\tmuls r3, r0\n\tadds r3, r1\n\t"                     \
     "ldrh r0, [r3, #10]\n\tcmp r0, r5\n\tbne 1f\n\tstr r3, [r4, %[tri]]\n\tb " next "\n1:\n\t"
-#define ZS_CHAIN_OF [last] "i"(AT(row_last)), [y1] "i"(AT(y1)), [tri] "i"(AT(tri))
+#define ZS_CHAIN_OF [last] "i"(AT(tri_end)), [y1] "i"(AT(y1)), [tri] "i"(AT(tri))
 
 /* The end of zs_fast.draw, of which 9b draws a triangle of the job at the stack's top, which has
  * `bytes`. 3: its rows are drawn, r0 pixels of them tested: count both, and go on with rows that

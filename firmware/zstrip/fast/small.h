@@ -161,18 +161,18 @@ ZS_ALWAYS_INLINE int zs_small_is_cut(int32_t ax, int32_t dx1, int32_t dx2, int32
            zs_first_sample(ax + (most & ~(most >> 31))) > width;
 }
 
-/* Set job->row_last, and *row to a triangle's first row in [y0, y1). Return how many it has there;
+/* Set job->tri_end, and *row to a triangle's first row in [y0, y1). Return how many it has there;
  * none: 0 or less. ay: its top vertex; dy: the lowest less that. */
 ZS_ALWAYS_INLINE int32_t zs_small_rows(struct zs_job *job, int32_t ay, int32_t dy, int32_t y0,
                                        int32_t y1, int32_t *row)
 {
-    job->row_last = zs_first_sample(ay + dy);
+    job->tri_end = zs_first_sample(ay + dy);
     *row = zs_max32(zs_first_sample(ay), y0);
-    return zs_min32(job->row_last, y1) - *row;
+    return zs_min32(job->tri_end, y1) - *row;
 }
 
 /* Find the triangle's rows in the strip, and the key at column 0 of the first one. Decline it if it
- * is cut by a side of the viewport. Sets job->row_last unless it declines. */
+ * is cut by a side of the viewport. Sets job->tri_end unless it declines. */
 ZS_ALWAYS_INLINE enum zs_small_outcome zs_small_place(struct zs_job *job, struct zs_small *s)
 {
     ZS_ANEW(s->a);
@@ -258,7 +258,7 @@ ZS_ALWAYS_INLINE int zs_small_declined(struct zs_job *job, const struct zs_tri *
     if (!drawn)
         return 0;
     job->tri = drawn;
-    job->row_last = job->y1;
+    job->tri_end = job->y1;
     return 1;
 }
 #endif

@@ -177,7 +177,7 @@ ZS_ALWAYS_INLINE int zs_small64_next(struct zs_job *job)
     const uint32_t next = tri->next;
     if (!all || next == ZS_NIL || all[next].instance != tri->instance)
         return 0;
-    if (job->row_last > job->y1 && job->keep) { /* as zs_raster_strip does */
+    if (job->tri_end > job->y1 && job->keep) { /* as zs_raster_strip does */
         const uint32_t number = (uint32_t)(tri - all);
         **job->keep = (uint16_t)number;
         *job->keep = &all[number].next;

@@ -79,7 +79,7 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
     "5:\n\tuxtb r6, r6\n\tadd r6, r6, #0x4080\n\tadds r7, #127\n\t"                                \
     "cmp r10, r3\n\tite lt\n\taddlt r11, r7, r3\n\taddge r11, r7, r10\n\t"                         \
     "ite lt\n\taddlt r1, r7, r10\n\taddge r1, r7, r3\n\t"                                          \
-    "asr r11, r11, #8\n\tasrs r1, r1, #8\n\tasr lr, r7, #8\n\tstr r11, " AT(ROW_LAST) "\n\t"      \
+    "asr r11, r11, #8\n\tasrs r1, r1, #8\n\tasr lr, r7, #8\n\tstr r11, " AT(TRI_END) "\n\t"       \
     "ldr r5, " AT(Y0) "\n\tcmp lr, r5\n\tit lt\n\tmovlt lr, r5\n\t"                               \
     "ldr r5, " AT(Y1) "\n\tcmp r11, r5\n\tit gt\n\tmovgt r11, r5\n\tcmp lr, r11\n\tbge 8f\n\t"    \
     "cmp r1, r11\n\tit gt\n\tmovgt r1, r11\n\tcmp r1, lr\n\tit lt\n\tmovlt r1, lr\n\t"             \
@@ -115,7 +115,7 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
     "movw r4, #0xffff\n\tcmp r2, r4\n\tbeq 18f\n\tldr r3, " AT(ALL) "\n\t"                        \
     "add r2, r2, r2, lsl #1\n\tadd r2, r3, r2, lsl #2\n\tldrh r4, [r2, #10]\n\t"                   \
     "ldr r5, " AT(INSTANCE) "\n\tcmp r4, r5\n\tbne 18f\n\t"                                       \
-    "ldr r4, " AT(ROW_LAST) "\n\tldr r5, " AT(Y1) "\n\tcmp r4, r5\n\tbgt 24f\n"                  \
+    "ldr r4, " AT(TRI_END) "\n\tldr r5, " AT(Y1) "\n\tcmp r4, r5\n\tbgt 24f\n"                   \
     "16:\n\tmov r1, r2\n\tb 1b\n"
 
 /* Columns: as zs_small_place. width: what loads the viewport's to r11. */

@@ -34,7 +34,7 @@ struct hand {
     uint16_t **keep;
     uint32_t tested, set_up; /* number of pixels, of triangles */
     const struct zs_tri *drawn;
-    int32_t row_last;
+    int32_t tri_end;
 };
 #define COPIED 11
 #define H(field) offsetof(struct hand, field)
@@ -65,7 +65,7 @@ _Static_assert(H(instance) == 4 * (COPIED - 1), "these are copied");
 #define F_SET_UP 96
 #define F_TRI 100
 #define F_DRAWN 104
-#define F_ROW_LAST 108
+#define F_TRI_END 108
 #define F_BYTES 112
 _Static_assert(F_SHIFT == F_POOL + H(shift) && F_LAST == F_POOL + H(last) && F_EDGE == F_POOL +
                    H(edge) && F_Y0 == F_POOL + H(y0) && F_Y1 == F_POOL + H(y1) && F_BASE == F_POOL
@@ -125,7 +125,7 @@ ZS_NAKED static int list_draw(struct hand *h ZS_TAKEN, const struct zs_tri *tri 
         "19:\n\tldr r1, " AT(HAND) "\n\tldr r2, " AT(TESTED) "\n\tstr r2, [r1, %[h_tested]]\n\t"
         "ldr r2, " AT(SET_UP) "\n\tstr r2, [r1, %[h_set_up]]\n\t"
         "ldr r2, " AT(DRAWN) "\n\tstr r2, [r1, %[h_drawn]]\n\t"
-        "ldr r2, " AT(ROW_LAST) "\n\tstr r2, [r1, %[h_row_last]]\n\t"
+        "ldr r2, " AT(TRI_END) "\n\tstr r2, [r1, %[h_tri_end]]\n\t"
         "add sp, #" NUMBER(F_BYTES) "\n\tpop {r3, r4, r5, r6, r7, r8, r9, r10, r11, pc}\n"
         LAST_PIECE
         "21:\n\t" BIG("r0", "r12", "3b")
@@ -136,7 +136,7 @@ ZS_NAKED static int list_draw(struct hand *h ZS_TAKEN, const struct zs_tri *tri 
         :
         : [piece_base] "i"(H(piece_base)), [width] "i"(H(width)), [keep] "i"(H(keep)),
           [h_tested] "i"(H(tested)), [h_set_up] "i"(H(set_up)), [h_drawn] "i"(H(drawn)),
-          [h_row_last] "i"(H(row_last)));
+          [h_tri_end] "i"(H(tri_end)));
 }
 
 int zs_solid_v7m(struct zs_job *job)
@@ -163,7 +163,7 @@ int zs_solid_v7m(struct zs_job *job)
     if (!all)
         return zs_small_declined(job, h.drawn);
     job->tri = h.drawn;
-    job->row_last = h.row_last;
+    job->tri_end = h.tri_end;
     return 1;
 }
 

@@ -57,7 +57,7 @@
 #define F_LIMIT 180
 #define F_TRI 184
 #define F_DRAWN 188
-#define F_ROW_LAST 192
+#define F_TRI_END 192
 #define F_TESTED 196
 #define F_SET_UP 200
 #define F_LIT 204
@@ -93,7 +93,7 @@ _Static_assert(IS(SIDE, w.sides.side) && IS(SUMS, w.sides.sum) && IS(ROW, w.side
                    IS(KEY_RIGHT, w.right) && IS(D1, dx1) && IS(D2, dx2) && IS(RCP, rcp) &&
                    IS(X, x) && IS(CHANGE, change) && IS(A, a) && IS(LIMIT, limit) && IS(TRI, tri),
                "of the triangle");
-_Static_assert(IS(DRAWN, drawn) && IS(ROW_LAST, row_last) && IS(TESTED, tested) &&
+_Static_assert(IS(DRAWN, drawn) && IS(TRI_END, tri_end) && IS(TESTED, tested) &&
                    IS(SET_UP, set_up) && IS(LIT, lit) && IS(JOB, job) && IS(KEPT, of) &&
                    F_BYTES % 8 == 0 && F_BYTES >= sizeof(struct zs_texture_hand) &&
                    COPIED == offsetof(struct zs_kept, of),
@@ -279,7 +279,7 @@ static int end(struct zs_job *job, const struct zs_texture_hand *h, int all)
     if (!all)
         return zs_small_declined(job, h->drawn);
     job->tri = h->drawn;
-    job->row_last = h->row_last;
+    job->tri_end = h->tri_end;
     return 1;
 }
 

@@ -22,7 +22,7 @@ struct zs_texture_hand {
     uint32_t limit;                /* rows to the middle vertex, or all */
     const struct zs_tri *tri;      /* the triangle */
     const struct zs_tri *drawn;    /* the last that was drawn */
-    int32_t row_last;              /* of tri */
+    int32_t tri_end;               /* of tri */
     uint32_t tested, set_up;       /* number of pixels, of triangles */
     uint32_t lit;                  /* not 0: job->fast->shine is called for each triangle */
     struct zs_job *job;

@@ -284,7 +284,7 @@ static int tiles_hide(struct zs_job *job)
     const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
     if (zs_instance_of(r, t->instance)->depth_state)
         return 0;                                          /* a depth state changes the keys */
-    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top vertex */
+    job->tri_end = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top vertex */
     const uint32_t nearest = key_of(r, zs_minu32(zs_minu32(a->d, b->d), c->d), -MARGIN);
     if (nearest > r->bound_strip)
         return 1;

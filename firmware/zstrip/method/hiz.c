@@ -55,10 +55,10 @@ static int hiz_hides(struct zs_job *job)
     const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
     if (zs_instance_of(r, t->instance)->depth_state)
         return 0;                                          /* a depth state changes the keys */
-    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top vertex */
+    job->tri_end = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top vertex */
     const struct zs_box box = { zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)),
                                 zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)),
-                                zs_first_sample(a->y), job->row_last,
+                                zs_first_sample(a->y), job->tri_end,
                                 zs_minu32(zs_minu32(a->d, b->d), c->d) };
     return zs_hiz_hides_box(r, r->method_state, &box);
 }

@@ -196,7 +196,7 @@ static int small_drawn(const int32_t x[3], const int32_t y[3], const uint32_t d[
     const int done = zs_fast_raw.draw(&job);
     *good &= small_right(&t, of, done);
     if (done)
-        *good &= job.row_last == (zs_max32(y[0], zs_max32(y[1], y[2])) + 127) >> 8;
+        *good &= job.tri_end == (zs_max32(y[0], zs_max32(y[1], y[2])) + 127) >> 8;
     *n += (uint64_t)done;
     return done;
 }
