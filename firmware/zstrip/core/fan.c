@@ -130,7 +130,7 @@ static ZS_RARE enum zs_outcome polygon_bin(struct zs_renderer *r, const struct p
     uint8_t around[2 * ZS_CLIP_MAX];
     const uint8_t *fan;
     const int64_t area = fan_corner(p, sense, around, &fan);
-    const int back = area < 0; /* counter-clockwise: pieces list their corners in reverse order */
+    const int ccw = area < 0; /* counter-clockwise: pieces list their corners in reverse order */
     if (area == 0)
         return ZS_OUTCOME_ZERO;
     if (zs_assemble_culled(area, r->xform.cull))
@@ -139,9 +139,9 @@ static ZS_RARE enum zs_outcome polygon_bin(struct zs_renderer *r, const struct p
     enum zs_outcome all = ZS_OUTCOME_EMPTY;
     for (int k = 1; k + 1 < p->n; k++) {
         const int64_t piece_size = piece_area(p, fan, k);
-        if (back ? piece_size >= 0 : piece_size <= 0)
+        if (ccw ? piece_size >= 0 : piece_size <= 0)
             continue;
-        struct zs_candidate at = { { fan[back ? k + 1 : 0], fan[k], fan[back ? 0 : k + 1] }, 0, 0 };
+        struct zs_candidate at = { { fan[ccw ? k + 1 : 0], fan[k], fan[ccw ? 0 : k + 1] }, 0, 0 };
         const enum zs_outcome outcome = zs_assemble_box(r, p->v, &at);
         if (all != ZS_OUTCOME_DRAWN)
             all = outcome;
