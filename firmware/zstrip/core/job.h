@@ -127,7 +127,8 @@ struct zs_kept {
  * cost. */
 struct zs_job {
     uint8_t saturates;   /* 1: a key may exceed 2^bits - 2 and has to be clamped */
-    uint8_t split;       /* enum zs_split, or-ed */
+    uint8_t split;       /* enum zs_split, or-ed. Under ray casting, where nothing is split: 1: keys
+                            are not linear on the screen (method/rays.c) */
     uint8_t mid_right;   /* 1: the middle vertex is to the right of the long edge */
     uint8_t two_octaves; /* 1: a tiny triangle in two octaves; its w is in `key` (depth/float.c) */
     struct zs_renderer *r;

@@ -128,7 +128,8 @@ static ZS_NOINLINE int covers(const struct zs_renderer *r, const struct zs_tri *
     return 1;
 }
 
-/* Set up a job for the keys of a triangle. job->split: 1 if they are not linear on the screen. */
+/* Set up a job for the keys of a triangle. job->split has another meaning here than in core/: 1 if
+ * keys are not linear on the screen. */
 static ZS_NOINLINE void aim(struct zs_job *job, const struct zs_tri *t)
 {
     const struct zs_renderer *r = job->r;
