@@ -114,7 +114,9 @@ struct zs_stats {
     uint32_t strips_clean;    /* with dirty_w 0; 0 without damage tracking */
     uint32_t strips_skipped; /* not drawn (zs_damage_track, zs_frame_skip). Triangles that are in no
                                 other strip count as culled, or not at all */
-    uint32_t passes;         /* sets of triangles that the pools took the scene in */
+    uint32_t passes;         /* walks over the scene, and how often a walk stopped to draw what the
+                                pools held and to make room (not so methods that drop triangles for
+                                a later walk). 1: the pools held the frame. Not passes of zs_pass.h */
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools. Size pools by a frame
                                 in which all strips are drawn: zs_damage_track bins less */
     uint32_t sorted;          /* triangles that a method sorted, summed over strips */
