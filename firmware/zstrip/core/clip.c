@@ -58,8 +58,8 @@ static ZS_SHARED int32_t between(const struct cut *cut, int32_t a, int32_t b)
 {
     const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
     /* < 2^62.1 + 2^31 */
-    const uint32_t part = quotient(cut, zs_mul_uu(size, cut->num) + cut->den / 2u);
-    return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
+    const uint32_t offset = quotient(cut, zs_mul_uu(size, cut->num) + cut->den / 2u);
+    return (int32_t)(b < a ? (uint32_t)a - offset : (uint32_t)a + offset);
 }
 
 /* Compute the intersection of a plane and the edge from a, at distance da > 0 inside, to b, at db >

@@ -19,8 +19,8 @@ struct zs_strip_hash_kernel {
     void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);
 };
 
-/* A part of the frame: rows [y, y_end), columns [x, x_end). */
-struct zs_part {
+/* A rectangle of the frame: rows [y, y_end), columns [x, x_end). */
+struct zs_region {
     uint16_t y, y_end, x, x_end;
 };
 
@@ -37,7 +37,7 @@ struct zs_track_kernel {
     void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);
     /* Intersect the bounds of an instance with the dirty rows and columns of the strips that are
      * binned. Return 0 if the intersection is empty. */
-    int (*touches)(const struct zs_renderer *r, uint32_t number, struct zs_part *part);
+    int (*touches)(const struct zs_renderer *r, uint32_t number, struct zs_region *region);
 
     /* For strips in which only the columns of r->window are drawn: */
 

@@ -19,18 +19,18 @@
 
 #define EDGE32_MAX (1 << 15) /* sub-pixels: for an edge with dy below this, 32 bits suffice */
 
-/* Return (fraction * dy + off * part) / span, for an edge that is entered below its first row. Not
+/* Return (fraction * dy + off * rem) / span, for an edge that is entered below its first row. Not
  * inlined, because that is rare. At most 2^14; rounded down, or one less. */
-static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t part)
+static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t rem)
 {
     if (ZS_FOR_SIZE)
-        return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE));
+        return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, rem)) / (dy * ZS_SUBPX_ONE));
     if (dy < EDGE32_MAX)
-        return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE); /* < 2^23 + 2^30 */
+        return (fraction * dy + off * rem) / (dy * ZS_SUBPX_ONE); /* < 2^23 + 2^30 */
     /* < 2^44.1, over 2^23 or more. n is cut to 32 bits, and the divisor by as many; 17 or more are
      * left, as the quotient is at most 2^14: it is less by at most one, which the caller adds. */
     const uint64_t n = zs_mul_uu((uint32_t)fraction, (uint32_t)dy) +
-                       zs_mul_uu((uint32_t)off, (uint32_t)part);
+                       zs_mul_uu((uint32_t)off, (uint32_t)rem);
     const int32_t down = zs_max32(32 - zs_clz64(n | 1u), 0);
     return (int32_t)((uint32_t)(n >> down) / (((uint32_t)dy * ZS_SUBPX_ONE >> down) + 1u));
 }
@@ -38,9 +38,9 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
 /* Find the columns of the edge that runs down from a to b, in n > 0 rows from `row` on, into
  * out[0], out[2], ... All rows lie between a and b.
  *
- * With dx = q dy + part, the right-hand side above divided by 256 dy is
- *   (lead + off q) / 256 + off part / (256 dy)
- * where lead = xa - 128 and off = Y - ya. In the edge's first row, off part / (256 dy) < 1. */
+ * With dx = q dy + rem, the right-hand side above divided by 256 dy is
+ *   (lead + off q) / 256 + off rem / (256 dy)
+ * where lead = xa - 128 and off = Y - ya. In the edge's first row, off rem / (256 dy) < 1. */
 static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a,
                                      const struct zs_vertex *b, int32_t row)
 {
@@ -50,16 +50,16 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
         q = dx / dy;
         q -= dx < q * dy;
     }
-    int32_t part = dx - q * dy; /* [0, dy] */
-    ZS_FACT(part >= 0 && part <= dy);
+    int32_t rem = dx - q * dy; /* [0, dy] */
+    ZS_FACT(rem >= 0 && rem <= dy);
     const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y; /* 0 <= off <= dy */
     const int32_t at = a->x - ZS_SUBPX_HALF + off * q;             /* < 2^24 */
     int32_t i = at >> ZS_SUBPX_BITS, fraction = at & (ZS_SUBPX_ONE - 1);
     /* modulo 2^32 */
-    uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) + zs_wrap_mul((uint32_t)off, part);
+    uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) + zs_wrap_mul((uint32_t)off, rem);
     const int32_t span = dy * ZS_SUBPX_ONE;           /* < 2^30 */
     if (off >= ZS_SUBPX_ONE) {
-        const int32_t k = edge_below(fraction, dy, off, part);
+        const int32_t k = edge_below(fraction, dy, off, rem);
         rest -= zs_wrap_mul((uint32_t)k, span);
         i += k;
     }
@@ -68,10 +68,10 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
     for (; e < 0; e += span)
         i++;
     *out = (int16_t)i; /* |.| <= 2^14 + 1 in rows of the triangle; e: i is too large by e / span */
-    part *= ZS_SUBPX_ONE;
+    rem *= ZS_SUBPX_ONE;
     for (int16_t *const end = out + 2 * n; (out += 2) != end; *out = (int16_t)i) {
         i += q;
-        e -= part;
+        e -= rem;
         if (e < 0) {
             e += span;
             i++;

@@ -156,16 +156,16 @@ static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_
     uint32_t rest = hi >> (32 - lz); /* mag << lz in three words; < 2^24 */
     const uint32_t q1 = digit(&rest, hi << lz | lo >> (32 - lz), d, rcp);
     const uint32_t q0 = digit(&rest, lo << lz, d, rcp);
-    uint32_t part = digit(&rest, 0, d, rcp);
+    uint32_t fraction = digit(&rest, 0, d, rcp);
     uint64_t q = (uint64_t)q1 << 32 | q0;
     if (n < 0) { /* floor: -q if the remainder is 0, else the complement of q */
-        part = ~part;
+        fraction = ~fraction;
         q = ~q;
-        if (rest == 0 && ++part == 0)
+        if (rest == 0 && ++fraction == 0)
             q++;
     }
     *whole = (int64_t)q;
-    return part;
+    return fraction;
 }
 
 /* Return a gradient in 40.24 bits modulo 2^64, and add the step to the anchor to *base. */
@@ -173,11 +173,11 @@ static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t 
                                    uint64_t *base)
 {
     int64_t whole;
-    const uint32_t part = !ZS_FOR_SIZE && g->rcp ? small_divide(g, (int64_t)n, &whole)
-                                                 : divide((int64_t)n, g->area, &whole);
+    const uint32_t fraction = !ZS_FOR_SIZE && g->rcp ? small_divide(g, (int64_t)n, &whole)
+                                                     : divide((int64_t)n, g->area, &whole);
     *base += (zs_times((uint64_t)whole, to_anchor) << 24) +
-             (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
-    return ((uint64_t)whole << 32) + part;
+             (uint64_t)(zs_mul_su(to_anchor, fraction) >> 8);
+    return ((uint64_t)whole << 32) + fraction;
 }
 
 uint64_t zs_plane_numerator(uint64_t dv1, uint64_t dv2, const int32_t d[2])

@@ -268,7 +268,7 @@ static void job_begin(struct zs_job *job, struct zs_renderer *r)
 void zs_raster_strip(struct zs_renderer *r)
 {
     int goes_on = r->strip + 1 < r->band_end;
-    const int part = r->window[1] - r->window[0] < r->config.width; /* r->track is not NULL then */
+    const int windowed = r->window[1] - r->window[0] < r->config.width; /* r->track is set then */
     uint16_t list = r->config.method->list(r);
     uint16_t *keep = &r->active; /* appended to, so it stays in the list's order */
     /* the instance that job is set for; ZS_NIL is none: they end at 65534 */
@@ -300,7 +300,7 @@ void zs_raster_strip(struct zs_renderer *r)
                 number = ZS_NIL; /* first touch has ended: call job_instance again, which may now
                                     return a function for small triangles */
             if (!ZS_IF_FAST(whole) || !whole(&job)) {
-                if (part && !ZS_IF_FAST(r->untouched))
+                if (windowed && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
                 const enum zs_set_up done = whole && zs_fast_tried(&job) ? ZS_SET_UP_NOT
                                                                          : zs_fast_setup(&job);

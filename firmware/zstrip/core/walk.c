@@ -51,14 +51,14 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     const struct zs_fast_clusters *clusters =
         in->mesh->cluster ? ZS_IF_FAST(r->clusters_hooks) : 0;
     const struct zs_depth_state *state = in->depth_state;
-    struct zs_part part;
+    struct zs_region region;
     if (track) {
-        if (!track->touches(r, number, &part))
+        if (!track->touches(r, number, &region))
             return 0;
-        r->walk_x = part.x;
-        r->walk_end = part.x_end;
-        r->walk_least = (uint16_t)zs_minu32(r->walk_least, part.x);
-        r->walk_most = (uint16_t)zs_maxu32(r->walk_most, part.x_end);
+        r->walk_x = region.x;
+        r->walk_end = region.x_end;
+        r->walk_least = (uint16_t)zs_minu32(r->walk_least, region.x);
+        r->walk_most = (uint16_t)zs_maxu32(r->walk_most, region.x_end);
     }
     if (zs_cull_walk(&b, r, number))
         return 0;

@@ -329,7 +329,7 @@ static int track_due(struct zs_renderer *r)
     return draw;
 }
 
-static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs_part *part)
+static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs_region *region)
 {
     const struct zs_record *rec = &records(r)[number];
     const uint32_t h = r->config.strip_h;
@@ -350,10 +350,10 @@ static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs
         x = zs_minu32(x, window[0]);
         x_end = zs_maxu32(x_end, window[1]);
     }
-    part->y = (uint16_t)(first * h);
-    part->y_end = (uint16_t)zs_minu32(end * h, r->config.height);
-    part->x = (uint16_t)x;
-    part->x_end = (uint16_t)x_end;
+    region->y = (uint16_t)(first * h);
+    region->y_end = (uint16_t)zs_minu32(end * h, r->config.height);
+    region->x = (uint16_t)x;
+    region->x_end = (uint16_t)x_end;
     return end != 0;
 }
 

@@ -33,8 +33,8 @@ static ZS_RARE int64_t along(int32_t lateral, int64_t c, int32_t away, int64_t z
     return part_of(c, lateral) + part_of(z, away);
 }
 
-/* Set the plane of an edge of the part that is drawn, `at` sub-pixels from the viewport's centre.
- * sign 1: the part is below the edge (a row) or right of it (a column); -1: above, or left. */
+/* Set the plane of an edge of the region that is drawn, `at` sub-pixels from the viewport's centre.
+ * sign 1: the region is below the edge (a row) or right of it (a column); -1: above, or left. */
 static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int32_t at,
                              int32_t sign)
 {
@@ -58,19 +58,19 @@ ZS_RARE int zs_cluster_edges(struct zs_renderer *r, const struct zs_bounds *b, u
 {
     const struct zs_track_kernel *track = r->track;
     const int32_t h = r->config.strip_h;
-    struct zs_part part = { r->walk_y, r->walk_y_end, 0, r->view.width };
+    struct zs_region region = { r->walk_y, r->walk_y_end, 0, r->view.width };
     int outside = 0;
     if (!r->counting) {
-        part.y = (uint16_t)zs_max32(r->strip * h, part.y);
-        part.y_end = (uint16_t)zs_min32(r->band_end * h, part.y_end);
-        if (part.y >= part.y_end)
+        region.y = (uint16_t)zs_max32(r->strip * h, region.y);
+        region.y_end = (uint16_t)zs_min32(r->band_end * h, region.y_end);
+        if (region.y >= region.y_end)
             return 0;
     }
     if (track)
-        (void)track->touches(r, number, &part);
+        (void)track->touches(r, number, &region);
     /* without: the viewport's side planes */
-    const int columns = part.x > 0 || part.x_end < r->view.width;
-    const uint16_t edges[4] = { part.y, part.y_end, part.x, part.x_end };
+    const int columns = region.x > 0 || region.x_end < r->view.width;
+    const uint16_t edges[4] = { region.y, region.y_end, region.x, region.x_end };
     for (int k = 0; k < (columns ? 4 : 2); k++) {
         struct zs_edge *e = &r->edge[k];
         if (r->edge_of[k] != edges[k])

@@ -23,7 +23,7 @@
 
 #define PART_LOG2_MIN 5
 #define PART_LOG2_MAX 15
-#define SHARE 16u   /* parts take at most this part of the triangle pool */
+#define SHARE 16u   /* parts take at most 1 / SHARE of the triangle pool */
 #define ALL 0xff00u /* rows 0 .. 255: reaches all bands */
 #define NONE 0x00ffu
 

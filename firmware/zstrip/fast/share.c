@@ -33,7 +33,7 @@
 /* ---- Step 0: bin a part ---------------------------------------------------------------------- */
 
 /* Find the triangles of an instance that are in the part. Instances come in order. */
-ZS_RARE static int in_part(const struct zs_renderer *r, uint32_t number, struct zs_part *part)
+ZS_RARE static int in_part(const struct zs_renderer *r, uint32_t number, struct zs_region *region)
 {
     struct zs_share_part *const p = r->share;
     for (; p->number != number; p->number++)
@@ -46,8 +46,8 @@ ZS_RARE static int in_part(const struct zs_renderer *r, uint32_t number, struct 
         p->to = p->from == 0 && p->to ? n : 0;
         p->from = 0;
     }
-    part->x = 0;
-    part->x_end = r->view.width;
+    region->x = 0;
+    region->x_end = r->view.width;
     return p->ok > 0 && p->from < p->to;
 }
 

@@ -12,7 +12,7 @@
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
 #define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)
 
-/* PROVE edge_below_first_row: fractions of 8 bits, every dy below 2^22 by octave, 0 <= off, part <= dy */
+/* PROVE edge_below_first_row: fractions of 8 bits, every dy below 2^22 by octave, 0 <= off, rem <= dy */
 void edge_below_first_row(void)
 {
     for (int k = 0; k < ZS_EXTENT_BITS; k++) {
