@@ -102,7 +102,7 @@ struct zs_stats {
     uint32_t tris_zero;        /* no area after snapping, or one vertex three times */
     uint32_t tris_empty;       /* no sample in the bounding box */
     uint32_t tris_index;       /* a vertex number out of range */
-    uint32_t tris_clipped;     /* cut at near, far or guard; also in drawn or in a reject */
+    uint32_t tris_clipped;     /* at near, far or guard; also in drawn or in a reject */
     uint32_t verts_transformed;
     uint32_t tris_setup;      /* set-ups: a triangle in a strip */
     uint32_t tris_hidden;     /* set-ups saved: a triangle that is covered in a strip, or beside the
@@ -115,8 +115,9 @@ struct zs_stats {
     uint32_t strips_skipped; /* not drawn (zs_damage_track, zs_frame_skip). Triangles that are in no
                                 other strip count as culled, or not at all */
     uint32_t passes;         /* walks over the scene, and how often a walk stopped to draw what the
-                                pools held and to make room (not so methods that drop triangles for
-                                a later walk). 1: the pools held the frame. Not passes of zs_pass.h */
+                                pools held and to make room (methods that drop triangles for a
+                                later walk do not stop). 1: the pools held the frame. These are not
+                                the passes of zs_pass.h */
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools. Size pools by a frame
                                 in which all strips are drawn: zs_damage_track bins less */
     uint32_t sorted;          /* triangles that a method sorted, summed over strips */

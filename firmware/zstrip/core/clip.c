@@ -30,35 +30,35 @@ static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint
     return plane & (ZS_OUT_LEFT | ZS_OUT_TOP) ? limit + at : limit - at;
 }
 
-/* An edge that is cut at num / den of its length. */
-struct cut {
+/* Where an edge crosses a plane: at num / den of its length. */
+struct crossing {
     uint32_t num, den; /* num < 2^31, num < den < 2^32 */
     uint32_t rcp;      /* 2^63 / (den 2^lz) */
     int32_t lz;        /* leading zeros of den */
 };
 
 /* Return floor(n / den), exact, for n < den 2^32. */
-static uint32_t quotient(const struct cut *cut, uint64_t n)
+static uint32_t quotient(const struct crossing *at, uint64_t n)
 {
     if (ZS_FOR_SIZE)
-        return (uint32_t)(n / cut->den);
-    const uint32_t top = (uint32_t)(n << cut->lz >> 32);
+        return (uint32_t)(n / at->den);
+    const uint32_t top = (uint32_t)(n << at->lz >> 32);
     /* off by at most 2^32 / 2^31 for top and 4 for rcp; < 2^31.2 */
-    uint32_t q = (uint32_t)(zs_mul_uu(top, cut->rcp) >> 31);
-    int64_t rest = (int64_t)(n - zs_mul_uu(q, cut->den));
-    for (; rest < 0; rest += cut->den)
+    uint32_t q = (uint32_t)(zs_mul_uu(top, at->rcp) >> 31);
+    int64_t rest = (int64_t)(n - zs_mul_uu(q, at->den));
+    for (; rest < 0; rest += at->den)
         q--;
-    for (; rest >= cut->den; rest -= cut->den)
+    for (; rest >= at->den; rest -= at->den)
         q++;
     return q;
 }
 
 /* Return a + (b - a) * num / den, nearest. |b - a| < 2^31.1 */
-static ZS_SHARED int32_t between(const struct cut *cut, int32_t a, int32_t b)
+static ZS_SHARED int32_t between(const struct crossing *at, int32_t a, int32_t b)
 {
     const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
     /* < 2^62.1 + 2^31 */
-    const uint32_t offset = quotient(cut, zs_mul_uu(size, cut->num) + cut->den / 2u);
+    const uint32_t offset = quotient(at, zs_mul_uu(size, at->num) + at->den / 2u);
     return (int32_t)(b < a ? (uint32_t)a - offset : (uint32_t)a + offset);
 }
 
@@ -73,11 +73,11 @@ static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
     const uint32_t den = (uint32_t)da + (uint32_t)db; /* one is >= 2^30, or nothing was shifted */
     ZS_FACT(den > 0);
     const int32_t lz = ZS_FOR_SIZE ? 0 : zs_clz32(den);
-    const struct cut cut = { (uint32_t)da, den, ZS_FOR_SIZE ? 0 : zs_recip(den << lz), lz };
+    const struct crossing at = { (uint32_t)da, den, ZS_FOR_SIZE ? 0 : zs_recip(den << lz), lz };
     for (int k = 0; k < 3; k++)
-        out->p.c[k] = between(&cut, a->p.c[k], b->p.c[k]);
+        out->p.c[k] = between(&at, a->p.c[k], b->p.c[k]);
     for (uint32_t k = 0; k < n_varyings; k++)
-        out->attr[k] = (uint16_t)between(&cut, a->attr[k], b->attr[k]);
+        out->attr[k] = (uint16_t)between(&at, a->attr[k], b->attr[k]);
     if (plane == ZS_OUT_NEAR)
         out->p.c[2] = view->z_near;
     if (plane == ZS_OUT_FAR)

@@ -27,8 +27,9 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
         return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, rem)) / (dy * ZS_SUBPX_ONE));
     if (dy < EDGE32_MAX)
         return (fraction * dy + off * rem) / (dy * ZS_SUBPX_ONE); /* < 2^23 + 2^30 */
-    /* < 2^44.1, over 2^23 or more. n is cut to 32 bits, and the divisor by as many; 17 or more are
-     * left, as the quotient is at most 2^14: it is less by at most one, which the caller adds. */
+    /* n < 2^44.1, and the divisor is 2^23 or more. Both are shifted down until n has 32 bits. The
+     * quotient is at most 2^14, so the divisor keeps 17 bits or more, and the result is too small
+     * by at most one, which the caller adds. */
     const uint64_t n = zs_mul_uu((uint32_t)fraction, (uint32_t)dy) +
                        zs_mul_uu((uint32_t)off, (uint32_t)rem);
     const int32_t down = zs_max32(32 - zs_clz64(n | 1u), 0);

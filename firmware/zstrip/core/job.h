@@ -68,7 +68,7 @@ struct zs_geom {
     int64_t area;   /* twice the area, q_16 px^2, > 0 */
     int32_t ia, ja; /* the anchor pixel, to which bases of planes refer ... */
     int32_t ax, ay; /* ... and its sample minus the first vertex, q24_8 */
-    uint32_t rcp;   /* small: 2^63 / mantissa of area; 0: large, gradients are divided */
+    uint32_t rcp;   /* 2^63 / mantissa of area of a small triangle; 0: others, by division */
     int32_t exp;    /* area ~ mantissa * 2^exp, mantissa in [2^31, 2^32) */
     int32_t tiny;   /* 1: the differences are at most ZS_TINY, the area is at least ZS_TINY_AREA */
 };

@@ -8,30 +8,30 @@
  * and far are clipped before), up to the errors below, which are far less than the half bucket that
  * is added. base + gx * i + gy * j equals repeated addition bit for bit, so strips cannot differ.
  *
- * There are two methods, `small` and `large`; the triangle alone decides which one is used. Each
+ * There are two methods, `small` and `division`; the triangle alone decides which one is used. Each
  * has a cheaper variant with the same bits: tiny triangles (core/job.h) use `small` with 32-bit
- * products, and small triangles whose values are too steep for `small` use `large` with a division
- * by the reciprocal, corrected by the remainder.
+ * products, and small triangles whose values are too steep for `small` use `division` with the
+ * reciprocal in place of a division, corrected by the remainder.
  *
- * small   For width + height <= 256 px, value differences below 2^31 and gradients below 2^27. One
- *         reciprocal of the area, then one multiplication for each gradient. The relative error of
- *         a gradient is 2^-30 (reciprocal) + 2^-31 + 2^-31 (truncated mantissas) + 2^-30 (truncated
- *         product) < 2^-28.4, so below 2^-1.4 ulp, and with rounding e <= 0.88 ulp. The anchor is
- *         the pixel of the first vertex, at most half a pixel away in each direction: 0.88 + 0.5.
- *         Anywhere in the triangle, after at most 256 steps: <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16
- *         bucket = 0.0035 bucket. Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w)
- *         may have gradients up to 2^30: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
- * large   For all others. A division with remainder to 24 more bits; gradients are rounded to
- *         nearest: e <= 1/2 ulp. The anchor is the viewport's pixel that is nearest to the first
- *         vertex; its value is computed from N / A with 32 fraction bits (error < 2^-32 * 2^22 * 2
- *         + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp < (W + H + 1) / 2 * 2^-16
- *         bucket = 0.0049 for W + H = 640.
+ * small     For width + height <= 256 px, value differences below 2^31 and gradients below 2^27.
+ *           One reciprocal of the area, then one multiplication for each gradient. The relative
+ *           error of a gradient is 2^-30 (reciprocal) + 2^-31 + 2^-31 (truncated mantissas) + 2^-30
+ *           (truncated product) < 2^-28.4, so below 2^-1.4 ulp, and with rounding e <= 0.88 ulp.
+ *           The anchor is the pixel of the first vertex, at most half a pixel away in each
+ *           direction: 0.88 + 0.5. Anywhere in the triangle, after at most 256 steps: <= 0.88 * 256
+ *           + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket. Values of 31 significant bits
+ *           (ZS_PLANE_WIDE: w, colour times w) may have gradients up to 2^30: e <= 2^1.6 + 1/2 ulp
+ *           of 2^-31, 2^-21 over 256 steps.
+ * division  For all others. A division with remainder to 24 more bits; gradients are rounded to
+ *           nearest: e <= 1/2 ulp. The anchor is the viewport's pixel that is nearest to the first
+ *           vertex; its value is computed from N / A with 32 fraction bits (error < 2^-32 * 2^22 *
+ *           2 + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp < (W + H + 1) / 2 *
+ *           2^-16 bucket = 0.0049 for W + H = 640.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "core/fx.h"
 #include "core/plane.h"
-
 
 void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b,
                     const struct zs_vertex *c)
@@ -83,7 +83,7 @@ void zs_plane_geom(struct zs_job *job)
     }
     g->ia = ia;
     g->ja = ja;
-    g->ax = ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - x; /* small: -127 .. 128; large: < 2^22.1 */
+    g->ax = ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - x; /* small: -127 .. 128; others: < 2^22.1 */
     g->ay = ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - y;
 }
 
@@ -204,7 +204,7 @@ static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
     out->base += zs_plane_step(gx, g->ax, gy, g->ay); /* |a| <= 2^7 */
 }
 
-/* The method `large`, for any triangle and any values: compute with 24 more bits, then round. On
+/* The method `division`, for any triangle and any values: compute with 24 more bits, then round. On
  * entry out->base is the first vertex's value. */
 static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t dv1, uint32_t dv2,
                                    struct zs_plane *out)

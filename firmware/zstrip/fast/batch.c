@@ -72,7 +72,7 @@ struct corners {
     const uint16_t *k; /* loaded when it is needed: it would be spilled */
 };
 
-/* Return 1 if a triangle that is large, or has a vertex outside near, far or the guard band, is
+/* Return 1 if a triangle that is too wide for 16 bits, or has a vertex that is not projected, is
  * outside the view, and count it. */
 SWEEP_PART int zs_sweep_outside(struct zs_sweep *s, const uint16_t index[3])
 {

@@ -237,8 +237,8 @@ ZS_RARE int zs_cluster_open(struct zs_renderer *r, const struct zs_bounds *b)
     c->n_planes = c->n_whole = c->known = c->counted = 0;
     c->cone = 0;
     zs_cull_axes(axis, in, &r->camera);
-    const int cut = r->xform.clip_depth | r->xform.clip_guard;
-    if (planes_open(r, b, &by, axis) || !cut)
+    const int clips = r->xform.clip_depth | r->xform.clip_guard;
+    if (planes_open(r, b, &by, axis) || !clips)
         cone_open(r, b, &by, axis);
     return c->n_planes || c->cone;
 }

@@ -172,7 +172,7 @@ ZS_ALWAYS_INLINE int32_t zs_small_rows(struct zs_job *job, int32_t ay, int32_t d
 }
 
 /* Find the triangle's rows in the strip, and the key at column 0 of the first one. Decline it if it
- * is cut by a side of the viewport. Sets job->tri_end unless it declines. */
+ * reaches beyond a side of the viewport. Sets job->tri_end unless it declines. */
 ZS_ALWAYS_INLINE enum zs_small_outcome zs_small_place(struct zs_job *job, struct zs_small *s)
 {
     ZS_ANEW(s->a);

@@ -166,7 +166,7 @@ static ZS_NOINLINE uint32_t curved_sum(struct zs_job *job, int32_t x, int32_t y)
     const struct zs_geom *g = &job->geom;
     struct zs_rays *s = job->r->method_state;
     struct zs_row row = { .y = y, .i0 = x, .i1 = x + 1 };
-    if (!job->r->view.pixelwise) { /* a scanline is cut into pieces, which begin with the span */
+    if (!job->r->view.pixelwise) { /* a scanline has pieces, which begin with the span */
         job->row_mid = zs_min32(zs_first_sample(job->v[1]->y), zs_first_sample(job->v[2]->y));
         job->row_end = y + 1;
         zs_edges_cut(job, y);
