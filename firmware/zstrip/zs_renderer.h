@@ -16,7 +16,7 @@ struct zs_vertex {
                      >= 0xffffff00: the vertex is not projected, and its triangles are clipped */
 };
 
-/* A binned triangle, in the triangle pool. The pool is in the order of traversal. */
+/* A binned triangle, in the triangle pool. The pool is in the order of the walk. */
 struct zs_tri {
     uint16_t v[3];     /* indices in the vertex pool: the topmost vertex first (the left one, if two
                           are level), then clockwise */
@@ -181,7 +181,7 @@ struct zs_renderer {
                                 not 0 */
     uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
     uint8_t direct;             /* 1: vertex v of the current instance is vert[vert_base + v] */
-    uint8_t counting;           /* 1: first traversal of the frame; only it counts triangles */
+    uint8_t counting;           /* 1: first walk of the frame; only it counts triangles */
     uint8_t untouched;          /* first touch: which pixels of the current strip are uncleared:
                                    none, all, or some (fast/first_touch.c) */
     uint16_t n_strips, strip;   /* strip: the next one to draw */

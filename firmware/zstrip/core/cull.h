@@ -18,7 +18,8 @@ struct zs_bounds {
 };
 
 /* Compute the sphere, in world units, that bounds all that an instance draws; primitives may draw
- * beyond their vertices (core/primitive.h). Return ZS_OK, ZS_ERR_RANGE, or the primitive's error.
+ * beyond their vertices (core/primitive.h). Return ZS_OK; ZS_ERR_RANGE: a field of the instance is
+ * out of range; ZS_ERR_NULL: its primitive has no ops; or the error of the primitive's widen hook.
  * r->camera and the size of r->view are set. */
 int zs_cull_bounds(struct zs_bounds *b, const struct zs_renderer *r, const struct zs_instance *in);
 
@@ -34,7 +35,7 @@ struct zs_box {
  * reaches before near or begins beyond far. */
 int zs_cull_box(const struct zs_renderer *r, const struct zs_bounds *b, struct zs_box *box);
 
-/* During traversal, when camera units are known: compute the bounds of an instance, with slack for
+/* During a walk, when camera units are known: compute the bounds of an instance, with slack for
  * the rounding of its vertices. Return 1 if the instance is outside the view frustum. */
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number);
 

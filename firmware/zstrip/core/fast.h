@@ -109,7 +109,7 @@ struct zs_fast_batch {
 
 /* Culling of a mesh's clusters. */
 struct zs_fast_clusters {
-    /* Set r->edge to the rows and columns in which this traversal draws an instance. Return 0 if
+    /* Set r->edge to the rows and columns in which this walk draws an instance. Return 0 if
      * the instance lies outside of them and need not be drawn. */
     int (*edges)(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number);
     /* Fill r->clusters for the instance of r->xform. Return 0 if none of its clusters can be

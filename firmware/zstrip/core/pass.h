@@ -11,7 +11,7 @@
 struct zs_pass_kernel {
     /* Before a strip is drawn: load the first pass. No viewport of another pass is cleared yet. */
     void (*begin)(struct zs_renderer *r);
-    /* During traversal: load the pass of an instance into r->scene, r->camera and r->view. */
+    /* During a walk: load the pass of an instance into r->scene, r->camera and r->view. */
     void (*use)(struct zs_renderer *r, uint32_t number);
     /* While r->strip is drawn: load the pass of an instance, and clear the viewports of all passes
      * up to it. */

@@ -1,4 +1,4 @@
-/* Traversal of the scene. Internal.
+/* The walk over the scene. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,9 +7,10 @@
 
 #include "zstrip.h"
 
-/* Traverse the scene and bin its triangles in the band: strips [r->strip, end) at first. When a
- * pool is full, the band is shortened (r->band_end). If it is a single strip and a pool is still
- * full, the binned triangles are drawn, and traversal goes on with empty pools. */
+/* Walk once through the scene and bin its triangles in the band: strips [r->strip, end) at first.
+ * When a pool is full, the band is shortened (r->band_end). If it is a single strip and a pool is
+ * still full, the method makes room (the depth buffer draws the binned triangles and empties the
+ * pools), and the walk goes on. */
 void zs_walk(struct zs_renderer *r, uint16_t end);
 
 /* What is drawn of the pass in hand: all of its viewport. */

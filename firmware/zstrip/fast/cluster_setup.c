@@ -52,8 +52,8 @@ static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int
     e->z = at < 0 ? sign * n[1] : -sign * n[1];
 }
 
-/* The first traversal tests against all rows of the pass in place of the
- * band's, so that its counts do not depend on pool sizes and strip height. */
+/* The first walk tests against all rows of the pass in place of the band's, so that its counts do
+ * not depend on pool sizes and strip height. */
 ZS_RARE int zs_cluster_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
 {
     const struct zs_track_kernel *track = r->track;

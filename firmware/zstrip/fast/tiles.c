@@ -10,8 +10,8 @@
  * bounds of all its tiles. A triangle never hides itself: its own nearest key is not above a bound
  * that it set.
  *
- * Bounds are computed when the first traversal of a frame meets a triangle at least LARGE columns
- * wide. They are computed for all strips at once, and hold for all sets and later traversals of the
+ * Bounds are computed when the first walk of a frame meets a triangle at least LARGE columns
+ * wide. They are computed for all strips at once, and hold for all sets and later walks of the
  * frame. A frame without such triangles costs nothing.
  *
  * Columns: the left side of a triangle is a convex function of the row and the right side a concave

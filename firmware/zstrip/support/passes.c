@@ -1,6 +1,6 @@
 /* Frames in several passes.
  *
- * One traversal bins the triangles of all passes, one pass after the other. Instances are numbered
+ * One walk bins the triangles of all passes, one pass after the other. Instances are numbered
  * through all passes. Columns count from the viewport's left side, so that a pass is drawn like a
  * frame of the viewport's size. Rows count from the frame's top, so that all passes share the
  * frame's bins. While a strip is drawn, the number of a triangle's instance tells where the next
