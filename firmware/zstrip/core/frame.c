@@ -29,7 +29,8 @@ static ZS_RARE int config_ok(const struct zs_config *c)
            (c->subpixel_bits == 0 || c->subpixel_bits == 8 || c->subpixel_bits == 4);
 }
 
-static uint16_t strip_rows(const struct zs_config *c)
+/* config.strip_h, at most the height. */
+static uint16_t strip_h_of(const struct zs_config *c)
 {
     return c->strip_h < c->height ? c->strip_h : c->height;
 }
@@ -43,9 +44,9 @@ uint32_t zs_arena_bytes(const struct zs_config *c)
 {
     if (!c || !config_ok(c))
         return 0;
-    return ZS_ARENA_BYTES(c->width, c->height, strip_rows(c), c->max_tris, c->max_verts,
+    return ZS_ARENA_BYTES(c->width, c->height, strip_h_of(c), c->max_tris, c->max_verts,
                           c->varyings, c->buffers) -
-           (has_depth(c) ? 0u : ZS_DEPTH_BYTES(c->width, strip_rows(c)));
+           (has_depth(c) ? 0u : ZS_DEPTH_BYTES(c->width, strip_h_of(c)));
 }
 
 /* Take the next pool from the arena. */
@@ -147,7 +148,7 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     r->config.buffers = config->buffers == 2 ? 2 : 1;
     r->config.subpixel_bits = config->subpixel_bits == 4 ? 4 : 8;
     r->config.depth_bits = config->depth_bits ? config->depth_bits : 16;
-    r->config.strip_h = strip_rows(config);
+    r->config.strip_h = strip_h_of(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
     strip_divisor(r);
     const uintptr_t at = (uintptr_t)arena;
@@ -277,7 +278,7 @@ void zs_frame_resolve(const struct zs_renderer *r, const struct zs_scene *scene)
     target.color = r->color[0];
     target.depth = r->depth;
     target.y0 = (uint16_t)(r->strip * r->config.strip_h);
-    target.y1 = (uint16_t)zs_min32(target.y0 + r->config.strip_h, r->config.height);
+    target.y1 = (uint16_t)(target.y0 + zs_strip_rows(r));
     target.x0 = r->window[0];
     target.x1 = r->window[1];
     target.pitch = r->config.width;
@@ -312,12 +313,10 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
             zs_frame_resolve(r, r->scene);
     }
 
-    const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;
-    const uint32_t left = r->config.height - y0;
     out->x = 0;
-    out->y = (uint16_t)y0;
+    out->y = (uint16_t)(r->strip * r->config.strip_h);
     out->w = r->config.width;
-    out->h = (uint16_t)(left < r->config.strip_h ? left : r->config.strip_h);
+    out->h = (uint16_t)zs_strip_rows(r);
     out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;

@@ -16,11 +16,6 @@
 #include "core/rows.h"
 #include "zs_shader.h"
 
-static int32_t strip_rows(const struct zs_renderer *r)
-{
-    return zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
-}
-
 void zs_raster_background(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
 {
     const struct zs_background *sky = r->scene->sky;
@@ -48,7 +43,7 @@ ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, 
 
 ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 {
-    const int32_t width = r->config.width, rows = strip_rows(r);
+    const int32_t width = r->config.width, rows = zs_strip_rows(r);
     const int32_t at_once = r->scene->sky ? 1 : rows; /* a sky is filled row by row */
     for (int32_t row = 0; row < rows; row += at_once)
         zs_raster_clear(r, row, 0, width * at_once);
@@ -240,7 +235,7 @@ static void job_target(struct zs_job *job)
     job->pitch = r->config.width;
     job->width = r->view.width;
     /* y0 == y1 where the viewport is not in the strip */
-    const int32_t last = first + strip_rows(r);
+    const int32_t last = first + zs_strip_rows(r);
     job->y0 = zs_min32(zs_max32(first, job->top), last);
     job->y1 = zs_max32(zs_min32(last, job->bottom), job->y0);
     const int32_t at = (job->y0 - first) * job->pitch + r->view.x;

@@ -5,7 +5,14 @@
 #ifndef ZS_RASTER_H
 #define ZS_RASTER_H
 
+#include "core/fx.h"
 #include "zstrip.h"
+
+/* The rows of strip r->strip; the last one may have fewer than the others. */
+static inline int32_t zs_strip_rows(const struct zs_renderer *r)
+{
+    return zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
+}
 
 /* Draw the triangles of strip r->strip, in the order of the method's list. Those that continue in
  * the strip below are left in r->active. */

@@ -31,11 +31,6 @@ enum {
 }; /* zs_renderer.untouched: which pixels in r->window are uncleared; SOME: those outside r->drawn
       */
 
-static uint32_t rows_of(const struct zs_renderer *r)
-{
-    return (uint32_t)zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
-}
-
 static void touch_begin(struct zs_renderer *r)
 {
     r->untouched = ALL;
@@ -43,7 +38,7 @@ static void touch_begin(struct zs_renderer *r)
 
 static ZS_NOINLINE void touch_end(struct zs_renderer *r)
 {
-    const int32_t width = r->config.width, n = (int32_t)rows_of(r);
+    const int32_t width = r->config.width, n = zs_strip_rows(r);
     const int left = r->untouched;
     r->untouched = NONE;
     const int32_t x = r->window[0], end = r->window[1];
@@ -164,7 +159,7 @@ static int touch_takes(struct zs_job *job)
         return 0;
     }
     if (r->untouched == ALL) {
-        const uint32_t n = rows_of(r);
+        const uint32_t n = (uint32_t)zs_strip_rows(r);
         for (uint32_t y = 0; y < n; y++)
             r->drawn[y][0] = r->drawn[y][1] = (int16_t)r->window[0];
         r->untouched_left = n * (uint32_t)drawn;

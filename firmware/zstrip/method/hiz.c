@@ -310,7 +310,7 @@ static void hiz_strip(struct zs_renderer *r)
     const int fresh = r->untouched; /* the strip is not cleared */
     r->untouched = 0;
     h.y0 = r->strip * r->config.strip_h;
-    h.rows = zs_min32(r->config.strip_h, r->config.height - h.y0);
+    h.rows = zs_strip_rows(r);
     zs_hiz_divide(r, &h);
     zs_fill_run(h.far, ZS_DEPTH_CLEAR, h.cells);
     uint8_t *state = h.state;
