@@ -7,8 +7,8 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-CORE_MAX=${CORE_MAX:-4166}         # lines of code in core/ and the public headers; the goal is 4200
-ALL_MAX=${ALL_MAX:-12659}           # ... in all of firmware/zstrip; the goal is 7000
+CORE_MAX=${CORE_MAX:-4170}         # lines of code in core/ and the public headers; the goal is 4200
+ALL_MAX=${ALL_MAX:-12650}           # ... in all of firmware/zstrip; the goal is 7000
 EFFECTS_MAX=${EFFECTS_MAX:-4986}   # ... in effect/ and its public headers
 OVERLAYS_MAX=${OVERLAYS_MAX:-1385} # ... in overlay/ and its public headers
 EXPLAIN_MAX=${EXPLAIN_MAX:-2034}   # ... in support/explain* and zs_explain.h
@@ -16,7 +16,7 @@ METHODS_MAX=${METHODS_MAX:-2200}   # ... in method/ and its public headers
 DEPTHSORT_MAX=${DEPTHSORT_MAX:-786} # ... of depth sort; the goal is 600
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/
 FILE_MAX=${FILE_MAX:-450}     # lines of a file
-FUNCTION_MAX=${FUNCTION_MAX:-63}   # lines of code of a function, from { to }; the goal is 60
+FUNCTION_MAX=${FUNCTION_MAX:-60}   # lines of code of a function, from { to }
 COLUMNS_MAX=${COLUMNS_MAX:-100}    # columns of a line in firmware/zstrip
 COLUMNS_MANY=${COLUMNS_MANY:-0}    # ... and lines that have more
 ELSE_MAX=${ELSE_MAX:-126}          # columns of a line of what else is written here; the goal is 120

@@ -73,4 +73,11 @@ ZS_ALWAYS_INLINE void zs_rows_written(struct zs_job *job, int32_t n)
         job->r->stats.pixels_written += (uint32_t)n;
 }
 
+/* Count the pixels of a triangle's rows. */
+ZS_ALWAYS_INLINE void zs_rows_counted(struct zs_job *job, uint32_t tested, int32_t written)
+{
+    job->r->stats.pixels_tested += tested;
+    zs_rows_written(job, written);
+}
+
 #endif

@@ -73,8 +73,7 @@ static ZS_NOINLINE void solid_walk(struct zs_job *job)
             break;
         zs_edges_cut(job, y);
     }
-    job->r->stats.pixels_tested += tested;
-    zs_rows_written(job, written);
+    zs_rows_counted(job, tested, written);
 }
 
 static void solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
@@ -154,8 +153,7 @@ ZS_ALWAYS_INLINE void small_rows(struct zs_job *job, struct zs_sides *w)
         w->sum[1] = right;
         zs_small_turn(w);
     }
-    job->r->stats.pixels_tested += tested;
-    zs_rows_written(job, written);
+    zs_rows_counted(job, tested, written);
 }
 
 /* Draw job->tri, and those after it as long as none is declined. */
@@ -228,8 +226,7 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w)
         w->sum[1] = right;
         zs_small_turn(w);
     }
-    job->r->stats.pixels_tested += tested;
-    zs_rows_written(job, written);
+    zs_rows_counted(job, tested, written);
 }
 
 static int small_draw(struct zs_job *job)

@@ -62,24 +62,24 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
             break;
         zs_edges_cut(job, y);
     }
-    job->r->stats.pixels_tested += tested;
-    zs_rows_written(job, written);
+    zs_rows_counted(job, tested, written);
 }
-
-#if !ZS_64
-
-#define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
 
 /* Return the address of the first row; rows from there to another one. */
 static inline uintptr_t first_of(const struct zs_job *job, const struct zs_sides *w)
 {
+    const uintptr_t pitch = w->down[0];
     return ZS_V7M ? (uintptr_t)w->row
-                  : (uintptr_t)job->depth + (uint32_t)(w->row - job->y0) * w->down[0] + w->left;
+                  : (uintptr_t)job->depth + (uint32_t)(w->row - job->y0) * pitch + w->left;
 }
 static inline uint32_t rows_to(const struct zs_sides *w, int32_t row)
 {
     return (uint32_t)(ZS_V7M ? row : row - w->row);
 }
+
+#if !ZS_64
+
+#define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
 
 /* Draw the scanlines of a small triangle. The values that step from row to row are kept in *w,
  * because the pixel loop needs all registers. */
@@ -144,8 +144,7 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
             break;
         zs_small_turn(&w->sides);
     }
-    job->r->stats.pixels_tested += w->at[3];
-    zs_rows_written(job, written);
+    zs_rows_counted(job, w->at[3], written);
 }
 
 #define SMALL small
@@ -162,10 +161,9 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
     const uint16_t *const palette = t->palette;
     const uint64_t mask = w->mask;
     const uint8_t column = (uint8_t)w->column;
-    uintptr_t row = (uintptr_t)job->depth + (uint32_t)(w->sides.row - job->y0) * pitch +
-                    w->sides.left + 2u;
-    uintptr_t end = row + (uint32_t)(w->sides.mid - w->sides.row) * pitch;
-    const uintptr_t last = row + (uint32_t)(w->sides.end - w->sides.row) * pitch;
+    uintptr_t row = first_of(job, &w->sides) + 2u;
+    uintptr_t end = row + rows_to(&w->sides, w->sides.mid) * pitch;
+    const uintptr_t last = row + rows_to(&w->sides, w->sides.end) * pitch;
     int32_t written = 0;
     w->tested = 0;
     for (;;) {
@@ -196,8 +194,7 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
                 const uint16_t key = (uint16_t)((uint32_t)uk >> 16);
                 if (key < *depth) {
                     *depth = key;
-                    uint32_t c = read(texel, palette,
-                                      (v >> 32 & mask) + (uk >> column));
+                    uint32_t c = read(texel, palette, (v >> 32 & mask) + (uk >> column));
                     if (lit)
                         c = zs_texture_shine(c, light >> ZS_TEXTURE_LIGHT_SHIFT);
                     *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16((uint16_t)c);
@@ -215,8 +212,7 @@ ZS_ALWAYS_INLINE void small64(struct zs_job *job, const struct zs_texture *t,
             break;
         zs_small_turn(&w->sides);
     }
-    job->r->stats.pixels_tested += w->tested;
-    zs_rows_written(job, written);
+    zs_rows_counted(job, w->tested, written);
 }
 #define SMALL small64
 

@@ -138,9 +138,7 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
 {
     struct zs_small s;
     struct zs_texel_rows w;
-    if (!job->texel)
-        return 0;
-    if (!zs_small_look(job, &s))
+    if (!job->texel || !zs_small_look(job, &s))
         return 0;
     const struct zs_renderer *r = job->r;
     const struct zs_view *view = &r->view;
