@@ -437,6 +437,40 @@ static void levels_close(void **state)
     assert_true(!cases_all() || (levels_seen > 200000 && levels_right > levels_seen / 100 * 85));
 }
 
+/* Cards that reach far behind the eye: at no pixel of the pieces that are left is the level too fine, though the eye
+ * sees them where w is a thousandth of its largest value. */
+static void levels_of_cut_cards(void **state)
+{
+    static const int32_t at[4][9] = { { 2609, -445, -6300, -655, -8122, 6311, -5950, 11961, 3907 },
+                                      { 2919, 6390, 186, 2275, 11677, -2411, -1008, -11226, -10335 },
+                                      { -7827, 6496, 1769, 3976, -9155, -9959, -5749, 7228, -3814 },
+                                      { 1309, 469, -4515, -11616, 1872, 3025, 6738, 270, 3649 } };
+    static const int32_t uv[4][3][2] = { { { 0, 0 }, { 1863, -14085 }, { -2929, -6305 } },
+                                         { { 0, 0 }, { -1870, 12463 }, { 4449, 15763 } },
+                                         { { 0, 0 }, { 14139, 1465 }, { 11627, 9419 } },
+                                         { { 0, 0 }, { -5782, 13832 }, { -14637, -9196 } } };
+    static const uint32_t pixels[4] = { 3804, 352, 518, 2355 };
+    static struct card c;
+    const struct zs_texture t = chain_texture(6, 6);
+    for (int k = 0; k < 4; k++) {
+        card_set(&c, at[k], at[k] + 3, at[k] + 6, uv[k], 14, &zs_shade_mipmap, &t);
+        const struct card *const one = &c;
+        struct picture q = card_draw(&one, 1, NULL);
+        uint32_t seen = 0, fine = 0;
+        for (int32_t i = 0; i < W * H; i++) {
+            if (q.key[i] == ZS_DEPTH_CLEAR)
+                continue;
+            const double lod = log2(change(&c, &t, i % W + 0.5, i / W + 0.5));
+            seen++;
+            fine += q.color[i] - 1 < (int32_t)fmin(6, fmax(0, floor(lod + 0.5 - 0.1)));
+        }
+        assert_int_equal(q.err, ZS_OK);
+        assert_int_equal(seen, pixels[k]);
+        assert_int_equal(fine, 0);
+        picture_free(&q);
+    }
+}
+
 /* Along each row of each triangle the level goes one way with the distance, to the horizon: a floor of 2^-21 of w. */
 static void stress_36_levels_to_the_horizon(void **state)
 {
@@ -838,6 +872,7 @@ int main(int argc, char **argv)
         CASES_TEST(alpha, alpha_case, 5000),
         CASES_TEST(frames, frame_case, 200),
         cmocka_unit_test(levels_close),
+        cmocka_unit_test(levels_of_cut_cards),
         cmocka_unit_test(stress_36_levels_to_the_horizon),
         CASES_COUNTS(cutouts, cutout_case, 300,
                      { "pixels that a texture cuts out", &cut_out, 20000 },

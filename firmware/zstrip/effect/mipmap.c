@@ -152,8 +152,8 @@ static uint64_t numerator(const struct zs_job *job, int c, const uint16_t *const
     const uint32_t un = (uint32_t)(a[0][c] - least) << up;   /* < 2^16 */
     const int32_t c_g[2] = { (int32_t)job->c[c].gx, (int32_t)job->c[c].gy };
     const int32_t w_g[2] = { (int32_t)job->w.gx, (int32_t)job->w.gy };
-    const int64_t turn = zs_mul_ss(c_g[0] >> 8, w_g[1] >> 8) -
-                         zs_mul_ss(c_g[1] >> 8, w_g[0] >> 8); /* |.| <= 2^47 */
+    const int64_t turn = (zs_mul_ss(c_g[0], w_g[1]) - zs_mul_ss(c_g[1], w_g[0])) >>
+                         16; /* |.| <= 2^47, as no difference reaches 2^63 */
     uint64_t most = 0;
     for (int k = 0; k < 4; k++) {
         const int down = k & 1;
