@@ -10,8 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #include "budget.h"
+#include "image.h"
 #include "load_options.h"
 #include "moving_picture.h"
 #include "option_help.h"
@@ -25,6 +27,7 @@
 
 #define SHEET_COLUMNS 4u
 #define SHEET_VIEWS 8u
+#define N_FILES 3 /* the third with --gif */
 #define PROBES 4u /* views by which culling is chosen and time is counted */
 #define OPEN_SHARE                                                                                 \
     0.005 /* of the pixels covered: as many that only back sides cover are not missed */
@@ -220,7 +223,7 @@ static void print(const struct request *rq, const struct sim_model *model, const
 /* ---- Files ----------------------------------------------------------------------------------- */
 
 /* Views next to each other. */
-static int save_sheet(const char *path, const struct sim_moving *m)
+static int write_sheet(const struct sim_output *out, const struct sim_moving *m)
 {
     const uint32_t rows = (m->n_frames + SHEET_COLUMNS - 1) / SHEET_COLUMNS,
                    width = SHEET_COLUMNS * m->width;
@@ -230,28 +233,38 @@ static int save_sheet(const char *path, const struct sim_moving *m)
             memcpy(rgb + 3 * ((size_t)(k / SHEET_COLUMNS * m->height + y) * width +
                               k % SHEET_COLUMNS * m->width),
                    m->frame[k] + 3 * (size_t)y * m->width, 3 * (size_t)m->width);
-    const int status = sim_png_save(path, width, rows * m->height, rgb);
+    const int status = sim_png_write(out->file, out->name, width, rows * m->height, rgb);
     free(rgb);
     return status;
 }
 
+/* All of them, or none. */
 static int save(const struct request *rq, const struct sim_moving *turn,
                 const struct sim_moving *sheet)
 {
-    static const char *const names[] = { "turntable.png", "sheet.png", "turntable.gif" };
-    char paths[3][4096];
+    static const char *const names[N_FILES] = { "turntable.png", "sheet.png", "turntable.gif" };
+    const size_t n_files = N_FILES - !rq->gif;
+    const int made = access(rq->out, F_OK) != 0;
+    char paths[N_FILES][4096];
+    struct sim_output out[N_FILES];
+    size_t n = 0;
     int status = sim_output_folder(rq->out, 4096 - 64);
-    for (int i = 0; status == SIM_OK && i < 2 + rq->gif; i++) { /* all of them before the first is written */
+    for (size_t i = 0; status == SIM_OK && i < n_files; i++) { /* before the first is written */
         (void)snprintf(paths[i], sizeof paths[i], "%s/%s", rq->out, names[i]);
         status = sim_output_check(paths[i], rq->o.model);
     }
-    for (int i = 0; status == SIM_OK && i < 2 + rq->gif; i++) {
-        const char *path = paths[i];
-        status = i == 1 ? save_sheet(path, sheet) : sim_moving_save(path, turn);
+    for (size_t i = 0; status == SIM_OK && i < n_files; i++) {
+        status = sim_output_open(&out[n], paths[i]);
         if (status == SIM_OK)
-            printf("%s%s", i > 0 ? ", " : "", path);
+            n++;
+        if (status == SIM_OK)
+            status = i == 1 ? write_sheet(&out[i], sheet) : sim_moving_write(&out[i], turn);
     }
-    printf("%s", status == SIM_OK ? "\n" : "");
+    status = sim_output_end(status, out, n);
+    for (size_t i = 0; status == SIM_OK && i < n_files; i++)
+        printf("%s%s", paths[i], i + 1 < n_files ? ", " : "\n");
+    if (status != SIM_OK && made)
+        (void)rmdir(rq->out);
     return status;
 }
 

@@ -311,20 +311,25 @@ int sim_moving_gif(FILE *f, const char *name, const struct sim_moving *m)
     return written(f, name);
 }
 
+int sim_moving_write(const struct sim_output *out, const struct sim_moving *m)
+{
+    const char *path = out->name;
+    const size_t n = strlen(path);
+    const char *end = n >= 4 ? path + n - 4 : "";
+    int status;
+    if (strcasecmp(end, ".mp4") == 0)
+        status = sim_moving_mp4(out->temporary != NULL ? out->temporary : out->path, path, m);
+    else if (strcasecmp(end, ".gif") == 0)
+        status = sim_moving_gif(out->file, path, m);
+    else
+        status = sim_moving_png(out->file, path, m);
+    sim_progress_end();
+    return status;
+}
+
 int sim_moving_save(const char *path, const struct sim_moving *m)
 {
     struct sim_output out;
-    const size_t n = strlen(path);
-    const char *end = n >= 4 ? path + n - 4 : "";
-    int status = sim_output_open(&out, path);
-    if (status != SIM_OK)
-        return status;
-    if (strcasecmp(end, ".mp4") == 0)
-        status = sim_moving_mp4(out.temporary != NULL ? out.temporary : out.path, path, m);
-    else if (strcasecmp(end, ".gif") == 0)
-        status = sim_moving_gif(out.file, path, m);
-    else
-        status = sim_moving_png(out.file, path, m);
-    sim_progress_end();
-    return sim_output_end(status, &out, 1);
+    const int status = sim_output_open(&out, path);
+    return status != SIM_OK ? status : sim_output_end(sim_moving_write(&out, m), &out, 1);
 }

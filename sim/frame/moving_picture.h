@@ -11,6 +11,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "output_file.h"
+
 #define SIM_MOVING_SIDE_MAX 65535 /* px */
 
 /* Frames, which are borrowed. All fields count. */
@@ -28,7 +30,10 @@ int sim_moving_gif(FILE *f, const char *name, const struct sim_moving *m);
 /* An MP4 of all frames, once, in place of the file at path. Its codec loses some of the colours. */
 int sim_moving_mp4(const char *path, const char *name, const struct sim_moving *m);
 
-/* The same into a file, whole or not at all: a GIF or an MP4 where its name ends so. */
+/* The same into an open output, which the caller ends: a GIF or an MP4 where its name ends so. */
+int sim_moving_write(const struct sim_output *out, const struct sim_moving *m);
+
+/* The same into a file, whole or not at all. */
 int sim_moving_save(const char *path, const struct sim_moving *m);
 
 #endif

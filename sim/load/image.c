@@ -189,13 +189,13 @@ int sim_png_save(const char *path, uint32_t width, uint32_t height, const uint8_
 
 int sim_picture_save(const struct sim_picture *p, const char *png, const char *raw)
 {
-    struct sim_output out;
-    int status = sim_png_save(png, p->width, p->height, p->rgb);
-    if (status != SIM_OK || raw == NULL)
-        return status;
-    status = sim_output_open(&out, raw);
+    struct sim_output out[2];
+    size_t n = 1;
+    int status = sim_output_open(&out[0], png);
     if (status != SIM_OK)
         return status;
-    sim_values_write(out.file, p->raw, (size_t)p->width * p->height, p->raw_bytes);
-    return sim_output_commit(&out, 1);
+    status = sim_png_write(out[0].file, png, p->width, p->height, p->rgb);
+    if (status == SIM_OK && raw != NULL && (status = sim_output_open(&out[1], raw)) == SIM_OK)
+        sim_values_write(out[n++].file, p->raw, (size_t)p->width * p->height, p->raw_bytes);
+    return sim_output_end(status, out, n);
 }

@@ -33,8 +33,8 @@ struct sim_picture {
 void sim_picture_565(struct sim_picture *p, uint32_t width, uint32_t height, const uint16_t *px);
 void sim_picture_free(struct sim_picture *p);
 
-/* Into a PNG, and its values, row by row, most significant byte first, into a second file (NULL: not wanted); each
- * whole or not at all. */
+/* Into a PNG, and its values, row by row, most significant byte first, into a second file (NULL: not wanted); both
+ * whole, or none. */
 int sim_picture_save(const struct sim_picture *p, const char *png, const char *raw);
 
 /* Binary PGM, maxval 65535, most significant byte first; and uint32 least significant byte first.

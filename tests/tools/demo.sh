@@ -207,6 +207,18 @@ demo_usage raw_value '--raw wants no value' --raw=x
 demo_usage scene_missing '--scene wants a value' --scene
 demo_usage unknown "unknown option '--rwa'" --rwa
 
+begin demo_disk_full
+last=' (ulimit -f 40; zsim demo --scene teapot --frames 1 --raw --out full)' # the PNG fits, the .bin does not
+(
+    ulimit -f 40
+    "$zsim" demo --scene teapot --frames 1 --raw --out full >stdout 2>stderr
+)
+status=$?
+is status $status 1
+only_line stderr
+is "what it says" "${the_line%%: cannot be written*}" 'zsim: full/teapot_000.bin'
+[ -z "$(ls -A full)" ] || wrong "it leaves $(ls -A full | tr '\n' ' ')"
+
 begin demo_help
 z demo --help
 is status $status 0

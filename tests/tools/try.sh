@@ -326,6 +326,17 @@ mkdir -p folder/sheet.png
 z try ball.obj --out folder
 one_line 1 'folder/sheet.png: cannot be written: it is a directory'
 is "files beside a folder sheet.png" "$(ls -A folder)" sheet.png
+last=" (ulimit -f 4; zsim try ball.obj --frames 1 --size 64x64 --out full)" # the turntable fits, the sheet does not
+mkdir full_there
+for dir in full full_there; do
+    (
+        ulimit -f 4
+        "$zsim" try ball.obj --frames 1 --size 64x64 --out $dir >stdout 2>stderr
+    )
+    status=$?
+    one_line 1 "$dir/sheet.png: cannot be written"
+done
+[ ! -e full ] && [ -z "$(ls -A full_there)" ] || wrong "a full disk leaves $(ls -A full full_there | tr '\n' ' ')"
 z try ball.obj --out ball.obj
 [ $status -eq 1 ] && [ "$(head -c 2 ball.obj)" = "v " ] || wrong "status $status where DIR is a file"
 finish
