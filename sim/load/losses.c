@@ -44,6 +44,7 @@ void sim_losses_print(FILE *f, const char *lead, const struct sim_lost *lost)
         [SIM_LOST_MEAN_COLOR] = { "vertex colours, but for their mean on each face: smooth shading has them", "" },
         [SIM_LOST_COLORS] = { "colours in another form", "" },
         [SIM_LOST_TEXTURE] = { "texture that cannot be loaded", "" },
+        [SIM_LOST_FURTHER_TEXTURE] = { "texture beside the last that the file names", "" },
         [SIM_LOST_UNPLACED] = { "texture of faces without texture coordinates", "of material " },
         [SIM_LOST_MATERIAL] = { "material that no material file has", "" },
         [SIM_LOST_EXTENSION] = { "glTF extension", "" },

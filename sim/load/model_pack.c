@@ -17,7 +17,7 @@
 /* A new field of these that is a pointer needs a row below, or lines in pack_rest and unpack_rest; and what others rely
  * on needs a check. */
 #if UINTPTR_MAX > 0xffffffffu
-_Static_assert(sizeof(struct sim_model) == 1616, "struct sim_model has changed: so has what model_pack.c carries");
+_Static_assert(sizeof(struct sim_model) == 1664, "struct sim_model has changed: so has what model_pack.c carries");
 _Static_assert(sizeof(struct sim_material) == 32, "struct sim_material has changed: so has what model_pack.c carries");
 _Static_assert(sizeof(struct sim_texture) == 48, "struct sim_texture has changed: so has what model_pack.c carries");
 #endif

@@ -53,6 +53,8 @@ struct ply {
     enum format format;
     struct element element[ELEMENTS_MAX];
     int n_elements;
+    const char *picture; /* the last texture's name, in the text; NULL: none so far */
+    size_t picture_length;
     unsigned long long n_vertices, n_faces;
 };
 
@@ -145,6 +147,19 @@ static int take_element(struct ply *s, const char *line, char *word[], int n)
     return SIM_OK;
 }
 
+/* assimp takes the last one alone. */
+static void take_picture(struct ply *s, const char *name)
+{
+    const size_t n = strcspn(name, "\r\n");
+    if (s->picture != NULL && (n != s->picture_length || memcmp(name, s->picture, n) != 0)) {
+        char lost[40];
+        (void)snprintf(lost, sizeof lost, "%.*s", (int)(s->picture_length < 39 ? s->picture_length : 39), s->picture);
+        sim_lose(s->lost, SIM_LOST_FURTHER_TEXTURE, lost);
+    }
+    s->picture = name;
+    s->picture_length = n;
+}
+
 static int take_format(struct ply *s, const char *name)
 {
     s->format = strcmp(name, "ascii") == 0                  ? FORMAT_ASCII
@@ -190,6 +205,8 @@ static int take_header(struct ply *s)
         int status = SIM_OK;
         if (s->n_elements > 0 && n > 0 && (strcmp(word[0], "element") == 0 || strcmp(word[0], "end_header") == 0))
             s->element[s->n_elements - 1].head[1] = line;
+        if (n >= 3 && strcmp(word[0], "comment") == 0 && strcmp(word[1], "TextureFile") == 0)
+            take_picture(s, line + (word[2] - text));
         if (n == 0 || strcmp(word[0], "comment") == 0 || strcmp(word[0], "obj_info") == 0)
             continue;
         if (strcmp(word[0], "end_header") == 0 && s->format != FORMAT_NONE && is_behind(s))

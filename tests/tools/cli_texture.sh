@@ -392,6 +392,13 @@ for few in 0 '6 0 0 1 0 1 1'; do
     color corners 130 80 $grey
 done
 
+begin ply_with_several_textures
+sed 's/^comment.*/comment TextureFile no such.png\n&\n&/' corners.ply >several.ply
+z render several.ply --out out/several.png $plain --shade unlit
+color several 80 80 ff0000
+is "losses" "$(cat stderr)" \
+    'zsim: several.ply: not carried over: texture beside the last that the file names (1, "no such.png")'
+
 # ---- glTF's colours of vertices: times the material's. All that are no texels are light
 begin gltf_colours_of_vertices
 colored() { # FACTOR EMISSION COMPONENTS    a quad whose vertices are ff8040

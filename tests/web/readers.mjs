@@ -169,6 +169,10 @@ const others = {
 };
 for (const [ loss, what ] of Object.entries(others))
     await losses(`names_${loss.replaceAll(' ', '_')}`, {'other.ply': ply('uchar', types.uchar, what)}, loss);
+const named = ply('uchar', [], {names: []}).replace('element vertex',
+    'comment TextureFile no such.png\ncomment TextureFile picture.png\nelement vertex');
+await losses('names_further_textures', {'two.ply': named, 'picture.png': picture},
+    'textures beside the last that the file names are left out');
 const foo = 'element foo 2\nproperty list uchar int bar\n', strips = foo.replaceAll('foo 2', 'tristrips 1');
 const plain = ply('uchar', types.uchar);
 await same('elements_of_other_names', {'foo.ply': plain.replace('element vertex', `${foo}element vertex`)

@@ -33,8 +33,11 @@ function readHeader(name, bytes) {
     const header = { format: '', texture: null, elements: [], start: end.index + end[0].length, lines: lines.length };
     for (let i = 1; i < lines.length - 1; i++) {
         const word = lines[i].trim().split(/\s+/);
-        if (word[0] === 'comment' && word[1] === 'TextureFile')
-            header.texture = lines[i].replace(/^\s*comment\s+TextureFile\s*/, '').trimEnd() || null;
+        if (word[0] === 'comment' && word[1] === 'TextureFile' && word.length > 2) {
+            const texture = lines[i].replace(/^\s*comment\s+TextureFile\s*/, '').trimEnd();
+            header.further ||= header.texture !== null && header.texture !== texture;
+            header.texture = texture;
+        }
         if (/^(comment|obj_info|)$/.test(word[0])) continue;
         const wrong = (why) => {
             throw new BadModel(name, i + 1, why);
@@ -153,7 +156,8 @@ export function readPly(name, bytes) {
     if (has('vertex', ['diffuse_red'])) losses.push('colours of the name diffuse_red are left out');
     if (has('face', ['red', 'diffuse_red'])) losses.push('colours of faces are left out');
     if (countOf('tristrips') > 0) losses.push('triangle strips are left out');
-    const { texture } = header;
+    const { texture, further } = header;
+    if (further) losses.push('textures beside the last that the file names are left out');
     return corners.model(name, texture ? { losses, textures: [texture], materials: [{ texture: 0 }] } : { losses });
 }
 
