@@ -47,30 +47,71 @@ static int ends_solid(const char *line, size_t n)
     return has_word(line, n, "endsolid") || (is_word(line, "end") && has_word(line, n, "solid"));
 }
 
-/* Small letters; names of solids stay. */
-static void lower(char *line, size_t n)
+/* The word after the one at p, in a line that ends at `end`. */
+static char *next_word(char *p, const char *end)
 {
-    const int named = is_word(line, "solid") || is_word(line, "endsolid");
-    for (size_t i = 0; i < n && !(named && (line[i] == ' ' || line[i] == '\t')); i++)
-        line[i] = (char)(line[i] >= 'A' && line[i] <= 'Z' ? line[i] - 'A' + 'a' : line[i]);
+    while (p < end && *p != ' ' && *p != '\t')
+        p++;
+    while (p < end && (*p == ' ' || *p == '\t'))
+        p++;
+    return p;
 }
 
-/* Has a line of a vertex three numbers? */
-static int check_vertex(const char *file, uint32_t number, const char *line, size_t n)
+/* The first facet behind `solid` or `endsolid` and a name, which has no `facet normal`; the line's end: none. */
+static char *facets_behind(char *word, char *end)
 {
-    const char *at = line + 6;
+    char *p = next_word(word, end);
+    while (p < end && !(is_word(p, "facet") && is_word(next_word(p, end), "normal")))
+        p = next_word(p, end);
+    return p;
+}
+
+/* Small letters, up to the name of a solid. */
+static void lower(char *p, const char *end)
+{
+    for (int named = 0; p < end && !(named && (*p == ' ' || *p == '\t')); p++) {
+        named |= is_word(p, "endsolid") || is_word(p, "solid");
+        *p = (char)(*p >= 'A' && *p <= 'Z' ? *p - 'A' + 'a' : *p);
+    }
+}
+
+/* Has a vertex three numbers? */
+static int check_vertex(const char *file, uint32_t number, const char *vertex, size_t n)
+{
+    const char *at = vertex + 6;
     char *stop;
     int numbers = 0;
-    while (numbers < 3 && ((void)strtod(at, &stop), stop != at && stop <= line + n)) {
+    while (numbers < 3 && ((void)strtod(at, &stop), stop != at && stop <= vertex + n)) {
         at = stop;
         numbers++;
     }
     return numbers == 3 ? SIM_OK
                         : sim_refuse(file, number, "'%.*s' is not a vertex of three numbers", (int)(n < 40 ? n : 40),
-                                     line);
+                                     vertex);
 }
 
-/* A facet with more than three vertices is noted: assimp reads its first. What stands between solids becomes blanks. */
+/* The vertices of a line, of which a facet may have several. A facet with more than three is noted: assimp reads its
+ * first. */
+static int check_vertices(struct sim_lost *lost, const char *file, uint32_t number, char *p, char *end,
+                          uint32_t *corners)
+{
+    int status = SIM_OK;
+    for (; status == SIM_OK && p < end; p = next_word(p, end))
+        if (is_word(p, "endsolid")) {
+            return facets_behind(p, end) == end
+                       ? SIM_OK
+                       : sim_refuse(file, number, "facets stand behind `endsolid`; begin a line there");
+        } else if (is_word(p, "vertex")) {
+            status = check_vertex(file, number, p, (size_t)(end - p));
+            if (++*corners == 4)
+                sim_lose(lost, SIM_LOST_CORNERS, "");
+        } else if (is_word(p, "facet")) {
+            *corners = 0;
+        }
+    return status;
+}
+
+/* What stands between solids becomes blanks. */
 static int check_lines(struct sim_lost *lost, const char *file, char *text, size_t bytes)
 {
     static const char *const inside[] = { "facet", "outer", "vertex", "endloop", "endfacet" };
@@ -86,18 +127,16 @@ static int check_lines(struct sim_lost *lost, const char *file, char *text, size
             status = sim_refuse(file, line, "'%.*s' is outside a solid; put `solid` before it",
                                 (int)(n < 40 ? n : 40), from);
         open |= is_word(from, "solid");
-        if (!open)
+        char *const facets = is_word(from, "solid") ? facets_behind(from, from + n) : from;
+        if (!open) {
             memset(from, ' ', n);
-        else if (known || is_word(from, "solid") || is_word(from, "endsolid"))
-            lower(from, n);
-        if (status == SIM_OK && is_word(from, "vertex")) {
-            status = check_vertex(file, line, from, n);
-            if (++corners == 4)
-                sim_lose(lost, SIM_LOST_CORNERS, "");
-        } else if (is_word(from, "facet")) {
-            corners = 0;
+        } else if (known || is_word(from, "solid") || is_word(from, "endsolid")) {
+            lower(from, from + n);
+            lower(facets, from + n);
         }
-        open = open && (is_word(from, "solid") || !has_word(from, n, "endsolid"));
+        if (status == SIM_OK && (known || facets != from || is_word(from, "endsolid")))
+            status = check_vertices(lost, file, line, facets, from + n, &corners);
+        open = open && !has_word(facets, (size_t)(from + n - facets), "endsolid");
         p = from + n;
         p += p < end && p[0] == '\r' && p[1] == '\n' ? 2 : 1;
     }

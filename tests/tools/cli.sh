@@ -673,8 +673,11 @@ between 'endsolid quad\nendsolid\nsolid Facet' >stl_twice.stl
 sed '9,$s/facet/Facet/; 9,$s/vertex/VERTEX/' quad_ascii.stl >stl_facets.stl
 between '' | tr '\n' '~' | sed 's/endfacet~endsolid/endfacet endsolid/' | tr '~' '\n' >stl_last_line.stl
 sed 's/endsolid quad/end solid/' quad_ascii.stl >stl_two_words.stl
+tr '\n' ' ' <quad_ascii.stl >stl_one_line.stl
+tr a-z A-Z <stl_one_line.stl >stl_one_line_of_capitals.stl
+between '' | awk '{ printf "%s%s", $0, /^(solid|endfacet)/ ? "\n" : " " }' >stl_a_line_a_facet.stl
 draw stl quad_ascii.stl $plain
-for how in capitals comment mixed twice facets last_line two_words; do
+for how in capitals comment mixed twice facets last_line two_words one_line one_line_of_capitals a_line_a_facet; do
     taken stl_$how stl_$how.stl $plain
     same stl stl_$how
 done
@@ -720,6 +723,11 @@ refused no_faces_stl 'no faces' points.stl
 { cat quad_ascii.stl && sed -n '/^facet/,/^endfacet/p' quad_ascii.stl; } | sed '$s/$/\nendsolid/' >outside.stl
 what="outside.stl:17: 'facet normal 0 0 1' is outside a solid; put \`solid\` before it"
 refused outside_a_solid_stl "$what" outside.stl
+cat quad_ascii.stl quad_ascii.stl | tr '\n' ' ' >stl_twice_on_a_line.stl
+refused twice_on_a_line_stl 'stl_twice_on_a_line.stl:1: facets stand behind `endsolid`; begin a line there' \
+    stl_twice_on_a_line.stl
+sed 's/vertex 50 50 0/vertex 50 x 0/' stl_one_line.stl >word_on_a_line.stl
+refused word_on_a_line_stl "word_on_a_line.stl:1: 'vertex 50 x 0 " word_on_a_line.stl
 { printf '\357\273\277' && cat quad_ascii.stl; } >mark.stl
 refused byte_order_mark_stl 'begins with a UTF-8 byte order mark; save it without one, as by tail -c +4' mark.stl
 for model in quad.obj quad_ascii.ply quad_ascii.stl quad.gltf; do

@@ -212,6 +212,8 @@ for (const [ name, text ] of Object.entries({
          a_comment_between_solids: `solid x\n${halves[0]}endsolid x\n; a comment\nSOLID Facet\n${halves[1]}endsolid`,
          some_capitals: `solid x\n${halves[0]}${halves[1].toUpperCase()}endsolid x\n`,
          its_end_on_the_last_line: `solid x\n${halves.join('').trimEnd()} endsolid x\n`,
+         one_line: `solid x ${halves.join('')}endsolid x`.replace(/\n/g, ' '),
+         a_line_a_facet: `solid x\n${halves.map((h) => `${h.replace(/\n/g, ' ')}\n`).join('')}endsolid x`.toUpperCase(),
          two_words_at_the_end: `solid x\n${halves.join('')}end solid x\n`,
      }))
     await same(`an_stl_with_${name}`, {[`${name}.stl`]: text});

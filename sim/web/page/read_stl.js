@@ -59,6 +59,9 @@ function readBinary(name, bytes, corners, losses) {
     }
 }
 
+/* The first facet from word k on; -1: none. */
+const facetsFrom = (word, k) => word.findIndex((w, i) => i >= k && w === 'facet' && word[i + 1] === 'normal');
+
 function readText(name, text, corners, losses) {
     let face = [],
         solid = '',
@@ -77,30 +80,39 @@ function readText(name, text, corners, losses) {
             const why = `'${plain.slice(0, 40)}' is outside a solid; put \`solid\` before it`;
             throw new BadModel(name, line + 1, why);
         }
+        let facets = 0; // the word where facets begin
         if (word[0] === 'solid') {
-            solid = plain.split(/\s+/).slice(1).join(' ');
+            facets = facetsFrom(word, 1);
+            solid = plain.split(/\s+/).slice(1, facets < 0 ? undefined : facets).join(' ');
             vertices = 0;
             open = true;
-        } else if (word.includes('endsolid')) {
-            open = false;
-        } else if (word[0] === 'vertex') {
-            const p = word.slice(1, 4).map((w) => Math.fround(Number(w)));
-            if (p.length === 3 && word.slice(1, 4).some((w) => /^[+-]?(nan|inf)/i.test(w)))
-                notFinite(name, vertices, solid);
-            vertices++;
-            if (p.length < 3 || !p.every(Number.isFinite))
-                throw new BadModel(
-                    name,
-                    line + 1,
-                    `'${plain.toLowerCase().slice(0, 40)}' is not a vertex of three numbers`,
-                );
-            face.push(corners.vertex(p.join(), p));
-        } else if (word[0] === 'endloop') {
-            if (face.length < 3)
-                throw new BadModel(name, line + 1, `a face of ${face.length} vertices; it needs at least 3`);
-            if (face.length > 3) losses.add('vertices of facets beyond the third are left out');
-            corners.polygon(face.slice(0, 3), 0);
-            face = [];
+        } else if (!/^(facet|outer|vertex|endloop|endfacet|endsolid)$/.test(word[0])) {
+            open &&= !word.includes('endsolid');
+            continue;
+        }
+        for (let k = facets < 0 ? word.length : facets; k < word.length && open; k++) {
+            if (word[k] === 'endsolid') {
+                if (facetsFrom(word, k) >= 0)
+                    throw new BadModel(name, line + 1, 'facets stand behind `endsolid`; begin a line there');
+                open = false;
+            } else if (word[k] === 'vertex') {
+                const given = word.slice(k + 1, k + 4),
+                    p = given.map((w) => Math.fround(Number(w)));
+                if (p.length === 3 && given.some((w) => /^[+-]?(nan|inf)/i.test(w))) notFinite(name, vertices, solid);
+                vertices++;
+                if (p.length < 3 || !p.every(Number.isFinite)) {
+                    const [from] = new RegExp(`(\\S+\\s+){${word.length - k - 1}}\\S+$`).exec(plain);
+                    const why = `'${from.toLowerCase().slice(0, 40)}' is not a vertex of three numbers`;
+                    throw new BadModel(name, line + 1, why);
+                }
+                face.push(corners.vertex(p.join(), p));
+            } else if (word[k] === 'endloop') {
+                if (face.length < 3)
+                    throw new BadModel(name, line + 1, `a face of ${face.length} vertices; it needs at least 3`);
+                if (face.length > 3) losses.add('vertices of facets beyond the third are left out');
+                corners.polygon(face.slice(0, 3), 0);
+                face = [];
+            }
         }
     }
 }
