@@ -173,6 +173,10 @@ const named = ply('uchar', [], {names: []}).replace('element vertex',
     'comment TextureFile no such.png\ncomment TextureFile picture.png\nelement vertex');
 await losses('names_further_textures', {'two.ply': named, 'picture.png': picture},
     'textures beside the last that the file names are left out');
+const alphas = {names: [ 'red', 'green', 'blue', 'alpha' ]}, clear = 'alpha of vertex colours is left out';
+await losses('names_alpha_of_vertices', {'alpha.ply': ply('uchar', types.uchar, alphas)}, clear);
+await losses('names_no_alpha_that_is_full', {'full.ply': ply('uchar', [ 255, 255, 255 ], alphas)}, '');
+await losses('names_no_alpha_that_is_none', {'none.ply': ply('uchar', [ 0, 0, 0 ], alphas)}, '');
 const foo = 'element foo 2\nproperty list uchar int bar\n', strips = foo.replaceAll('foo 2', 'tristrips 1');
 const plain = ply('uchar', types.uchar);
 await same('elements_of_other_names', {'foo.ply': plain.replace('element vertex', `${foo}element vertex`)
@@ -319,6 +323,19 @@ for (const [ name, Type, componentType ] of [ [ 'floats', Float32Array, 5126 ], 
         `texture 1 names no picture that is read${plain}`);
     await losses('names_pictures_that_are_none', {'broken.gltf': file({uri: 'data:image/png;base64,QUJD'})},
         `texture 1 is no picture that this browser reads${plain}`);
+}
+{
+    const model = JSON.parse(gltf({}, {COLOR_0: 5}));
+    model.accessors.push({bufferView: 0, componentType: 5121, normalized: true, count: 6, type: 'VEC4'});
+    delete model.materials[1].doubleSided;
+    await losses('names_alpha_of_vertices_of_glTF', {'alpha.gltf': JSON.stringify(model)}, clear);
+}
+{
+    const said = await readModel([ bytes('a.xyz', 'x') ]).then(() => '', (error) => error.message);
+    const right = said === 'a.xyz: is of no format that is known by its name; this page reads OBJ, PLY, STL and ' +
+        'glTF: export the model as one of these'; // as zsim says of what it reads
+    console.log(right ? 'ok web_refuses_unknown_formats' : `FAILED web_refuses_unknown_formats: ${said}`);
+    failed |= !right;
 }
 {
     const empty = JSON.parse(gltf({}));

@@ -6,6 +6,7 @@ import { readPly } from './read_ply.js';
 import { dataUri, readGltf } from './read_gltf.js';
 import { decodePicture } from './picture.js';
 
+const FORMATS = 'OBJ, PLY, STL and glTF: export the model as one of these';
 const MODEL = /\.(obj|stl|ply|gltf|glb)$/i;
 /* %20 and the like as what they stand for, where that is text. */
 const decoded = (uri) => uri.replace(/(%[\da-f]{2})+/gi, (s) => {
@@ -99,7 +100,7 @@ export async function readModel(files) {
     const file = [...files].find((f) => MODEL.test(f.name));
     if (!file) {
         const first = files[0] ? files[0].name : 'nothing';
-        throw new BadModel(first, 0, 'is no model that is read here; take OBJ, STL, PLY, glTF or GLB');
+        throw new BadModel(first, 0, `is of no format that is known by its name; this page reads ${FORMATS}`);
     }
     const bytes = given.get(baseName(file.name).toLowerCase());
     if (bytes.length === 0) throw new BadModel(file.name, 0, 'is empty; get the model again');

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-import { BadModel, Corners, highlightsOf } from './read_text.js';
+import { BadModel, Corners, highlightsOf, lossOfAlpha } from './read_text.js';
 
 const NO_FACES = 'no faces in it; zsim draws polygons',
     NOT_THERE = 'it names parts that are not there; export the model again',
@@ -152,6 +152,9 @@ class Gltf {
         const normals = p.attributes.NORMAL === undefined ? null : this.rows(p.attributes.NORMAL);
         const uvs = this.uvsOf(p);
         const colors = this.colorsOf(p);
+        const given = p.attributes.COLOR_0 === undefined ? [] : this.rows(p.attributes.COLOR_0);
+        const lost = lossOfAlpha(given.map((row) => row[3] ?? 1));
+        if (lost) this.losses.add(lost);
         const order = p.indices === undefined ? points.map((_, i) => i) : this.rows(p.indices).map((r) => r[0]);
         const step = mode === 4 ? 3 : 1;
         /* corners of the triangle that begins there; of a strip every other one is the other way round */

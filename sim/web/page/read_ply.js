@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-import { BadModel, Corners } from './read_text.js';
+import { BadModel, Corners, lossOfAlpha } from './read_text.js';
 
 const TYPES = {
     char: ['getInt8', 1],
@@ -156,6 +156,9 @@ export function readPly(name, bytes) {
     if (has('vertex', ['diffuse_red'])) losses.push('colours of the name diffuse_red are left out');
     if (has('face', ['red', 'diffuse_red'])) losses.push('colours of faces are left out');
     if (countOf('tristrips') > 0) losses.push('triangle strips are left out');
+    const alpha = known && known.alpha;
+    const lost = alpha && lossOfAlpha(rows.map((row) => shareOf(row[alpha.name], alpha)));
+    if (lost) losses.push(lost);
     const { texture, further } = header;
     if (further) losses.push('textures beside the last that the file names are left out');
     return corners.model(name, texture ? { losses, textures: [texture], materials: [{ texture: 0 }] } : { losses });
@@ -214,6 +217,7 @@ function knownOf(properties) {
     const colors = [last('red', 'r'), last('green', 'g'), last('blue', 'b')];
     return {
         colors: colors.some((p) => p) ? colors : null,
+        alpha: last('alpha', 'a'),
         normals: last('nx', 'ny', 'nz') !== undefined,
     };
 }

@@ -21,6 +21,13 @@ export function highlightsOf(rgb, power) {
     return most >= 0.1 && power >= 1 ? { specular: rgb.map((c) => c / Math.max(most, 1)), power } : {};
 }
 
+/** The loss of a mesh's vertex colours whose alphas these are; '': none. All 0 are those of colours without one, as
+ * zsim has it. */
+export function lossOfAlpha(alphas) {
+    const clear = alphas.some((a) => a < 0.998) && alphas.some((a) => a !== 0);
+    return clear ? 'alpha of vertex colours is left out' : '';
+}
+
 /** Corners of triangles in file order, each with what the file gives it. A vertex is a distinct set of those. */
 export class Corners {
     constructor() {
