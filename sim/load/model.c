@@ -794,7 +794,7 @@ static int build(struct load *l)
     if (status == SIM_OK)
         status = sim_model_fill_bounds(model);
     if (status == SIM_OK && l->want->normals)
-        sim_model_fill_normals(model);
+        sim_model_fill_normals(model, l->gltf); /* as the format wants it */
     if (status == SIM_OK)
         count_losses(l);
     if (status == SIM_OK && l->want->simplify != NULL) {

@@ -66,7 +66,7 @@ struct sim_limits {
 /* What of a model is wanted besides its shape and colours. All zero: nothing. */
 struct sim_want {
     int normals;  /* flag: fill normal, from the file where it has them, else from the faces around
-                     a point, weighted by their angles there */
+                     a point, weighted by their angles there; faces without any of a glTF file that has some: flat */
     int textures; /* flag: fill uv, has_uv and texture */
     const char *picture;        /* with textures: this file for all faces in place of the model's
                                    own; NULL: its own */

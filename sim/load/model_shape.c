@@ -87,11 +87,24 @@ static double corner_angle(const struct sim_model *model, uint32_t tri, int k)
     return atan2(sqrt(sim_dot(c, c)), sim_dot(a, b));
 }
 
+static void flatten_face(struct sim_model *model, uint32_t t)
+{
+    double n[3];
+    sim_model_face_normal(model, t, n);
+    for (int k = 0; k < 3 && sim_dot(n, n) > 0.5; k++)
+        for (int i = 0; i < 3; i++)
+            model->normal[t][k][i] = (float)n[i];
+}
+
 /* Corners without a normal get the mean of the faces around their point, weighted by angle
  * (Thuermer and Wuethrich, Journal of Graphics Tools 3(1), 1998). */
-void sim_model_fill_normals(struct sim_model *model)
+void sim_model_fill_normals(struct sim_model *model, int flat)
 {
+    static const float none[3][3];
     double(*sum)[3] = sim_alloc(model->n_points, sizeof *sum);
+    for (uint32_t t = 0; flat && model->file_normals && t < model->n_tris; t++)
+        if (memcmp(model->normal[t], none, sizeof none) == 0)
+            flatten_face(model, t);
     for (uint32_t t = 0; t < model->n_tris; t++) {
         double n[3];
         sim_model_face_normal(model, t, n);
@@ -120,13 +133,8 @@ void sim_model_fill_normals(struct sim_model *model)
 
 void sim_model_flatten(struct sim_model *model)
 {
-    for (uint32_t t = 0; t < model->n_tris; t++) {
-        double n[3];
-        sim_model_face_normal(model, t, n);
-        for (int k = 0; k < 3 && sim_dot(n, n) > 0.5; k++)
-            for (int i = 0; i < 3; i++)
-                model->normal[t][k][i] = (float)n[i];
-    }
+    for (uint32_t t = 0; t < model->n_tris; t++)
+        flatten_face(model, t);
 }
 
 int sim_model_fill_bounds(struct sim_model *model)

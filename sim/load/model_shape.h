@@ -20,8 +20,9 @@ void sim_weld_end(struct sim_weld *w);
  * there is room. */
 uint32_t sim_weld_point(struct sim_weld *w, struct sim_model *model, const double p[3]);
 
-/* Corners whose normal is 0 0 0 get the mean of the faces around their point, weighted by angle. */
-void sim_model_fill_normals(struct sim_model *model);
+/* Corners whose normal is 0 0 0 get the mean of the faces around their point, weighted by angle; with `flat`, faces
+ * without any of a file that has some get their own. */
+void sim_model_fill_normals(struct sim_model *model, int flat);
 
 /* Corners get the normal of their face, where it has area. */
 void sim_model_flatten(struct sim_model *model);

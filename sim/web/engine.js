@@ -186,10 +186,11 @@ export class Engine {
     /** Draw a model from here on. Where it is refused what was drawn before stays.
      * Colours are 0 .. 1 a channel. A vertex without texture coordinates has NaN there.
      * @param {{name?: string, positions: Float64Array|Float32Array, indices: Uint32Array|Uint16Array|number[],
-     *          normals?: Float32Array, uvs?: Float64Array|Float32Array, uvDown?: boolean, single?: boolean,
+     *          normals?: Float32Array, uvs?: Float64Array|Float32Array, uvDown?: boolean, single?: boolean, flat?: boolean,
      *          colors?: Float32Array,
      *          triMaterial?: Uint32Array, materials?: Material[], textures?: Texture[], losses?: string[]}} model
      *   single: positions came through single precision, as those of a Float32Array did
+     *   flat: faces without normals are flat where others have some, as glTF wants it
      *   uvDown: v counts from the top of the picture, as in glTF; else from its bottom, as in OBJ
      * @typedef {{name?: string, color?: number[], emission?: number[], specular?: number[], power?: number,
      *            opacity?: number, alpha?: 'opaque'|'mask'|'blend', alphaLeast?: number, twoSided?: boolean,
@@ -232,7 +233,7 @@ export class Engine {
                 const at = this.#with(name(image.name), (text) => c.model_image(i, text, image.width, image.height));
                 if (at !== 0) this.#bytes(at, 4 * image.width * image.height).set(image.rgba);
             });
-            return c.model_end(0, model.single ?? model.positions instanceof Float32Array ? 1 : 0);
+            return c.model_end(0, model.single ?? model.positions instanceof Float32Array ? 1 : 0, model.flat ? 1 : 0);
         });
         if (answer.ok) this.#changed(model.name ?? 'model');
         const losses = answer.ok ? this.#text(c.losses()).split('\n').filter((line) => line !== '') : [];

@@ -303,7 +303,7 @@ int sim_model_load(struct sim_model *model, const char *file, const struct sim_w
     if (status == SIM_OK)
         status = sim_model_fill_bounds(model);
     if (status == SIM_OK && want->normals)
-        sim_model_fill_normals(model);
+        sim_model_fill_normals(model, g->flat);
     if (status == SIM_OK && want->simplify != NULL) {
         sim_simplify(model, want->simplify);
         status = sim_model_fill_bounds(model);

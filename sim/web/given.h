@@ -48,6 +48,7 @@ struct web_given {
     struct web_image *image; /* [n_images] */
     uint32_t n_verts, n_tris, n_paints, n_images;
     int up_z, single; /* flags: z is up; positions came through single precision */
+    int flat;         /* flag: faces without normals are flat where others have some */
 };
 
 void web_given_free(struct web_given *g);

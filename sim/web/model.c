@@ -151,7 +151,7 @@ int web_model_scene(int (*use)(void *ctx, const struct sim_drawn_scene *drawn), 
 }
 
 /* End: the model that came is drawn from here on, unless it is refused. */
-WEB_EXPORT(model_end) int web_model_end(int up_z, int single)
+WEB_EXPORT(model_end) int web_model_end(int up_z, int single, int flat)
 {
     struct web_given before = kept;
     struct sim_model model = { 0 };
@@ -160,6 +160,7 @@ WEB_EXPORT(model_end) int web_model_end(int up_z, int single)
     struct sim_orbit orbit = web.orbit;
     coming.up_z = up_z;
     coming.single = single;
+    coming.flat = flat;
     kept = coming;
     memset(&coming, 0, sizeof coming);
     web.orbit = (struct sim_orbit)SIM_ORBIT_HOME;

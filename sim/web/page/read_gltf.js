@@ -360,5 +360,6 @@ export function readGltf(name, bytes, other = () => null) {
         textures: gltf.textures(),
         losses: [...gltf.losses],
         uvDown: true,
+        flat: true,
     });
 }

@@ -71,7 +71,7 @@ export class Corners {
     }
 
     /** What engine.setModel takes. single: the format has single precision; uvDown: v counts from a picture's top. */
-    model(name, { materials = [], textures = [], losses = [], uvDown = false, single = true } = {}) {
+    model(name, { materials = [], textures = [], losses = [], uvDown = false, flat = false, single = true } = {}) {
         return {
             name,
             positions: Float64Array.from(this.positions),
@@ -80,6 +80,7 @@ export class Corners {
             normals: this.hasNormals ? Float32Array.from(this.normals) : undefined,
             uvs: this.hasUvs ? Float64Array.from(this.uvs) : undefined,
             uvDown,
+            flat,
             colors: this.hasColors ? Float32Array.from(this.colors) : undefined,
             materials,
             triMaterial: Uint32Array.from(this.triMaterial),
