@@ -318,8 +318,8 @@ int sim_effect_shadowed(struct sim_effect_scene *out, uint32_t n, const struct s
         if (out->model[i].mesh->normal != NULL)
             continue;
         if (!make_corners(part, out->model[i].mesh))
-            return sim_refuse(o->model, 0, "--shadow map with --shade flat: a part has %u triangles, and may have %u; "
-                                           "take --shade smooth",
+            return sim_refuse(o->model, 0, "--shadow map: a part of flat faces has %u triangles, and may have %u; "
+                                           "take --shade smooth, or textured where it has a texture",
                               out->model[i].mesh->n_tris, 65535u / 3u);
         out->model[i].mesh = &part->mesh;
     }
