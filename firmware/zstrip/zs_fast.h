@@ -30,8 +30,8 @@ extern const struct zs_fast zs_fast_touch;
  * Worth 13 for eight layers; where nothing is hidden a frame takes up to 2 % more with it; 2,648
  * bytes. */
 extern const struct zs_fast zs_fast_tiles;
-/* Transforms and assembles a whole mesh at a time, if the vertex pool holds it. Worth 1.1 to 1.8
- * where there are many triangles; 5,380 bytes. */
+/* Transforms and assembles a whole mesh at a time, or some 40 triangles where the vertex pool does
+ * not hold it. Worth 1.1 to 1.8 where there are many triangles; 5,380 bytes. */
 extern const struct zs_fast zs_fast_batch;
 /* Culls clusters, and transforms no vertices that only culled clusters use. Worth 1.15 in flyover,
  * the demo scene whose meshes have clusters; 4,840 bytes. */

@@ -1,5 +1,6 @@
 /* Functions that are worth assembler on some core: 32 x 32-bit products with 64 bits, leading
- * zeros, rows of a matrix; filling is in fill.h.
+ * zeros, rows of a matrix; filling is in fill.h. Besides, loads and hints that keep a compiler from
+ * spilling, and what says which accelerators in assembler a core has (ZS_SET_UP, ZS_V7M).
  *
  * A Cortex-M0 or M0+ computes the low 32 bits of a 32 x 32-bit product in one cycle. It has neither
  * the high half nor CLZ. Its compiler calls the library for both, which takes some 40 and 25 cycles
@@ -119,9 +120,9 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 
 #endif
 
-/* One row of an affine map, for points of 16 bits: (m . p + t) / 2^shift, floor, below 2^30. With
- * ZS_ROW_WIDE, on cores where a 64-bit sum costs no more than a 32-bit one: row = { m[3], t's low
- * half, its high half, shift, 32 - shift }. Otherwise 32 bits hold every sum: row = { low[3],
+/* One row of an affine map, for points of 16 bits: (m . p + t) / 2^shift, floor, |.| < 2^30 + 2.
+ * With ZS_ROW_WIDE, on cores where a 64-bit sum costs no more than a 32-bit one: row = { m[3], t's
+ * low half, its high half, shift, 32 - shift }. Otherwise 32 bits hold every sum: row = { low[3],
  * t_low, s, high[3], s2, t_high } gives
  *   ((((low . p + t_low) >> s) + high . p) >> s2) + t_high
  * low . p + t_low fits 32 bits; the other sums are modulo 2^32; s, s2 < 32. Armv6-M: 30 cycles and

@@ -50,8 +50,9 @@ struct zs_fast_touch {
 
 /* Occlusion culling: triangles and instances that what is nearer hides. */
 struct zs_fast_tiles {
-    /* Called for each triangle of the current instance that is drawn; a, b, c are clockwise. If it
-     * is large, record which tiles it covers and how far, and set r->large. */
+    /* Called for each triangle of the current instance that core/assemble.c or core/fan.c takes and
+     * that is not culled; a, b, c are clockwise. If it is large, record which tiles it covers and
+     * how far, and set r->large. */
     void (*cover)(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
                   const struct zs_vertex *c);
     /* Called for r->strip if r->large is set. Return a depth: `hides` is asked about triangles

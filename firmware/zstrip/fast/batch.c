@@ -1,7 +1,8 @@
 /* Whole meshes at a time. If the pool has room for all vertices of a mesh, they are transformed in
- * one loop; else those of some triangles at a time are gathered. Small triangles are assembled in
- * one loop, too, with 32-bit products. Parts of a mesh that do not reach the band are left out:
- * fast/parts.c.
+ * one loop; else those of some triangles at a time are gathered. Triangles of up to 128 px are
+ * assembled in one loop, too, with 32-bit products; others by the core, one by one (slow cases).
+ * Parts of a mesh that do not reach the band are left out: fast/parts.c. Declined are primitives,
+ * shaders that move vertices, and a few others (zs_parts_batched). What it is worth: zs_fast.h.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -86,8 +87,8 @@ SWEEP_PART int zs_sweep_outside(struct zs_sweep *s, const uint16_t index[3])
     return all > ZS_D_OUT;
 }
 
-/* Take such a triangle that is not, or one that has no area, or comes when the pool is full. Return
- * 0: there is no room for it. */
+/* Take a triangle that place() does not: it is wide, has a vertex that is not projected, or comes
+ * when the pool is full. Return 0: there is no room for it. */
 static ZS_NOINLINE int slow_case(struct zs_sweep *s, uint32_t t)
 {
     struct zs_renderer *r = s->r;
@@ -102,7 +103,8 @@ static ZS_NOINLINE int slow_case(struct zs_sweep *s, uint32_t t)
     return 1;
 }
 
-/* Return the strip of a box that lies partly outside the rows that are drawn, or ZS_NIL. */
+/* Return the strip of a box that is empty or does not begin in rows that are drawn in the band.
+ * ZS_NIL: none; it is counted. */
 SWEEP_PART uint32_t zs_sweep_aside(struct zs_sweep *s, int32_t empty, int32_t y0, int32_t y1)
 {
     struct zs_renderer *r = s->r;
@@ -252,8 +254,7 @@ ZS_NOINLINE uint32_t zs_sweep_turned(struct zs_sweep *s, uint32_t t, uint32_t en
 }
 #endif
 
-/* The same for all, of which most are binned by hand: on Armv7-M as many as the pool has room for.
- */
+/* The same for all, most of them by hand: on Armv7-M as many as the pool has room for. */
 static inline uint32_t sweep(struct zs_sweep *s, uint32_t t, uint32_t end, const uint16_t (*tri)[3])
 {
     for (;;) {
@@ -314,9 +315,7 @@ static uint32_t counted(struct zs_sweep *s, uint32_t from, uint32_t end, const u
 
 /* ---- Pools that do not hold the scene -------------------------------------------------------- */
 
-/* Batches of triangles: their vertices are gathered where the pool does not hold the mesh's, and
- * their rows are noted (fast/parts.c). */
-#define BATCH 40
+#define BATCH 40 /* triangles, whose vertices are gathered, and whose rows are noted */
 
 /* Find the vertices of the mesh's triangles [from, from + n) in the pool, or transform them into
  * it. Return how many triangles have theirs; fewer than n if the pool is full. */

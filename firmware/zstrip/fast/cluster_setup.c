@@ -139,7 +139,7 @@ static ZS_RARE int planes_open(struct zs_renderer *r, const struct zs_bounds *b,
             continue;
         d = d < -reach ? -reach : d;
         int16_t *plane = c->plane[c->n_planes];
-        int32_t at = steps(by, d, ZS_PLANE_BITS) + slack; /* |.| < 3 * 2^28 */
+        int32_t at = steps(by, d, ZS_PLANE_BITS) + slack; /* |.| < 2^29.6 */
         for (int j = 0; j < 3; j++) {
             const int64_t side = zs_mul_ss(n[0], axis[3 * lateral + j]);
             const int64_t sum = side + zs_mul_ss(n[1], axis[6 + j]); /* <= 2^61 */

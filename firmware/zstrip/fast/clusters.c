@@ -1,5 +1,6 @@
 /* Cluster culling: clusters of a mesh that cannot be seen are not drawn, and the vertices that only
- * they use are not transformed. cluster_setup.c prepares an instance's tests.
+ * they use are not transformed. cluster_setup.c prepares an instance's tests; it declines meshes of
+ * few clusters, primitives and shaders that move vertices. What it is worth: zs_fast.h.
  *
  * All tests are in mesh steps. The planes of the view and the eye are converted to them once for
  * each instance. A cluster is culled only if it could not have drawn a pixel.
@@ -78,7 +79,7 @@ static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh,
     const int32_t down = k->eye_shift;
     if (c->height == 0 || c->cutoff == 127 || c->cutoff < 0)
         return 0;
-    /* |.| < 2^17 at worst */
+    /* |.| < 2^14.05 for a valid mesh, < 2^17 for any */
     const int32_t x = ((c->center[0] - mesh->center[0]) >> down) + k->eye[0];
     const int32_t y = ((c->center[1] - mesh->center[1]) >> down) + k->eye[1];
     const int32_t z = ((c->center[2] - mesh->center[2]) >> down) + k->eye[2];
@@ -87,7 +88,7 @@ static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh,
     if (ahead <= 0)
         return 0;
     const uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y +
-                            (uint32_t)z * (uint32_t)z; /* < 3 * 2^28.1 */
+                            (uint32_t)z * (uint32_t)z; /* valid: < 3 * 2^28.1 */
     const uint32_t thin = k->thin / c->height, margin = k->margin + thin + 1u; /* may wrap */
     if ((k->margin | thin | margin) > MARGIN_MAX)
         return 0;
@@ -107,7 +108,7 @@ static int left_out(const struct zs_renderer *r, uint32_t i)
     int whole = k->cone;
     for (uint32_t p = 0; p < k->n_planes; p++) {
         const int16_t *n = k->plane[p];
-        /* <= 2^27.8 + 2^27.8 + 3 * 2^28 < 2^30.4 */
+        /* <= 2^27.8 + 2^27.8 + 2^29.6 < 2^30.4 */
         const int32_t d = n[0] * x + n[1] * y + n[2] * z + k->at[p];
         if (d < -reach)
             return 1;

@@ -1,5 +1,5 @@
 /* Smooth shading: depth test and colours in one loop, for affine triangles whose keys do not
- * saturate.
+ * saturate; the others are walked by fast/less.c. What it is worth: zs_fast.h.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -2,7 +2,8 @@
  * Small triangles have a path of their own (fast/small.h).
  *
  * For each pixel: key = sum >> 16, compare, store key and colour, add. There is no division and no
- * 64-bit arithmetic in the loop.
+ * 64-bit arithmetic in the loop. The walk over rows (`rows`) declines triangles whose keys may
+ * saturate: the core then walks, and calls `span`. What it is worth: zs_fast.h.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -5,8 +5,10 @@
  * pixels of a span that are uncleared are drawn without a test, because every key is less than
  * ZS_DEPTH_CLEAR; the others are drawn as usual. A gap between a span and the row's range is
  * cleared, so that there is still a single range. The first triangle for which this does not pay
- * (narrow, with a depth state, or with keys that are computed pixel by pixel) ends first touch, and
- * so does the end of the strip: the pixels that are still uncleared are then cleared.
+ * (narrow, with a depth state, with keys that are computed pixel by pixel, or with a shader that
+ * leaves pixels as they are or reads them) ends first touch, and so does the end of the strip: the
+ * pixels that are still uncleared are then cleared. Frames in passes, and mappings and methods with
+ * a depth test of their own, do without (core/frame.c). What it is worth: zs_fast.h.
  *
  * So each pixel is initialised once, by a clear or by a triangle, and nothing is read before it was
  * written, except outside the columns that are drawn (r->window).

@@ -1,5 +1,6 @@
 /* The usual depth test (less) for a piece of a scanline. It does what zs_rows_test does for a
- * triangle without a depth state, without the tests for one at each pixel.
+ * triangle without a depth state, without the tests for one at each pixel. The accelerators of
+ * smooth and textured shaders use it where they have no loop of their own; it never declines.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -4,12 +4,16 @@
  *
  * A part is 2^part_log2 triangles of an instance. Its first and last row, in units of 2^part_down
  * rows, are two bytes in the last records of the triangle pool, which the frame does without
- * (parts_tris of them). Notes are made in the first walk alone, because it leaves out only what is
- * drawn in no band. Parts before the place where they begin are taken to reach all rows; so are
- * parts that are not binned in batches, and those with a vertex that is not on the screen.
+ * (parts_tris of them). Notes begin in the first walk, which leaves out only what is drawn in no
+ * band: where the band first ends earlier, or with a mesh that is surely more than the pools hold.
+ * Parts before that place are taken to reach all rows, until a later walk bins one from its first
+ * triangle on, and notes it; but not of a mesh whose clusters may be left out, as these may be drawn
+ * in another band. Parts that are not binned in batches, and those with a vertex that is not on the
+ * screen, are always taken to reach all rows.
  *
- * Not for frames in passes, nor with damage tracking, where the first walk leaves out instances in
- * strips of its band alone, nor for methods that share out the triangle pool themselves.
+ * Not for frames in passes; not with damage tracking, where the first walk, too, leaves out
+ * instances that do not reach its band; and not under methods other than the depth buffer. What it
+ * is worth: DESIGN.md (Scale, RAM).
  *
  * SPDX-License-Identifier: MIT
  */

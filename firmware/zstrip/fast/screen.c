@@ -1,4 +1,6 @@
-/* Transform and projection of many vertices in one loop.
+/* Transform and projection of many vertices in one loop: zs_xform_screen (core/xform.c), bit for
+ * bit. It belongs to fast/batch.c, with whose worth it is counted (zs_fast.h). Vertices that may
+ * lie outside the view, or far from the viewport's centre, are left to the core one by one.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -117,7 +119,7 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t n, struct zs_
                                       : view->scale_bits + coarse - 2;
     const uint32_t most = NEAR_MIDDLE >> coarse;
     const int32_t z_near = view->z_near;
-    const uint32_t depth_range = (uint32_t)view->z_far - (uint32_t)z_near; /* < 2^31.6 */
+    const uint32_t depth_range = (uint32_t)view->z_far - (uint32_t)z_near; /* <= 2^31 */
     for (struct zs_vertex *const end = out + n; out != end; out++) {
         const int32_t x = out->x, y = out->y, z = (int32_t)out->d;
         if ((uint32_t)z - (uint32_t)z_near > depth_range) {

@@ -25,10 +25,10 @@ struct zs_sweep {
     uint32_t varyings; /* of a vertex; 0: they are not computed */
     uint16_t (*face)(const struct zs_shading *s, uint32_t tri);
     struct zs_tri *out, *full; /* the next record; one beyond the pool's last */
-    uint32_t placed;    /* n less the number of triangles that place() has binned, negative */
-    uint32_t before;    /* sum of outcomes less number of triangles, at first */
+    uint32_t placed;    /* modulo 2^32: placed + n is how many triangles place() has binned */
+    uint32_t before;    /* at first: the sum of outcomes less the number of the first triangle */
     uint32_t *outcome;     /* [ZS_OUTCOMES]: counts of outcomes */
-    uint8_t by_batches; /* flags: the loop leaves slow cases to batch_bin(); ... */
+    uint8_t by_batches; /* flags: the loop leaves slow cases to zs_batch_bin(); ... */
     uint8_t full_verts; /* ... a batch has no room for a vertex of its first triangle */
     uint32_t *piece;    /* of a clipped triangle, as in zs_assemble_tri */
     int32_t y0, y1;     /* rows of the triangles that are in no strip of the band */

@@ -10,9 +10,14 @@
  * bounds of all its tiles. A triangle never hides itself: its own nearest key is not above a bound
  * that it set.
  *
- * Bounds are computed when the first walk of a frame meets a triangle at least LARGE columns
- * wide. They are computed for all strips at once, and hold for all sets and later walks of the
- * frame. A frame without such triangles costs nothing.
+ * Bounds are computed when the first walk of a frame meets a triangle at least LARGE columns wide.
+ * They are computed for all strips at once, and hold for all sets and later walks of the frame. A
+ * frame without such triangles pays a look at the width of each triangle that core/assemble.c or
+ * core/fan.c takes, and no more; fast/batch.c bins triangles of up to 128 px without it.
+ *
+ * Bounds are neither set by triangles with a depth state, nor do these ask for them; core/walk.c
+ * ends the use of bounds where keys may grow. Frames in passes, and mappings and methods with a
+ * depth test of their own, do without (core/frame.c). What it is worth: zs_fast.h.
  *
  * Columns: the left side of a triangle is a convex function of the row and the right side a concave
  * one. So in a strip, each side is farthest inwards in the first or the last row. Sides are moved
