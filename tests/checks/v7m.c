@@ -46,6 +46,7 @@ struct drawn {
     int32_t tri_end;
 };
 static struct zs_tri tri[LIST];
+static const struct zs_depth_state *state; /* of all instances */
 
 /* The viewport's part of the strip. */
 static struct {
@@ -112,6 +113,7 @@ static uint32_t draw(struct drawn *d, struct by by, const struct by *in_c, const
     job.fast = by.fast;
     job.texture = texture;
     job.texel = by.texel;
+    job.depth_state = state;
     steps = 0;
     job.kept.of = ZS_NIL;
     d->declined = 0;
@@ -202,6 +204,41 @@ static int lists(uint32_t n[3])
             return 1;
     }
     return n[2] != 0; /* what C draws is drawn by hand */
+}
+
+/* Keys that a depth state moves by hand, against vertices that are so much farther in C. What one of them declines
+ * alone, as its keys are in two pieces or go beyond the ends, is not compared; n[2] counts such lists. */
+static int moved(uint32_t n[3])
+{
+    const struct by hand = { &zs_fast_raw, 0 }, in_c = { &solid_in_c, 0 };
+    static struct drawn a, b;
+    for (uint32_t l = 0; l < LISTS; l++) {
+        const struct zs_depth_state bias = { .bias = (int16_t)(next() % 8u ? within(40) - 20 : within(32767)) };
+        const uint32_t key = next() % 4u ? next() : next() % 2u ? next() >> 10 : 0u - (next() >> 10);
+        r.view.piece_shift = (uint8_t)(30u + next() % 2u);
+        r.view.piece_base = next() % 2u ? 0xffffffffu : 0x7fffffffu;
+        random_list(key, 16u);
+        memset(&a, 0, sizeof(a));
+        for (uint32_t i = 0; i < W * H; i++)
+            a.depth[i] = (uint16_t)((key >> 16) + next() % 64u - 32u);
+        b = a;
+        state = &bias;
+        (void)draw(&b, hand, 0, 0);
+        state = 0;
+        int wraps = 0;
+        for (uint32_t v = 0; v < 3u * LIST; v++) {
+            const int64_t d = (int64_t)pool[v].d + bias.bias * 65536;
+            wraps |= d < 0 || d > r.view.piece_base;
+            pool[v].d = (uint32_t)d;
+        }
+        (void)draw(&a, in_c, 0, 0);
+        n[0] += b.set_up;
+        n[1] += b.declined != 0;
+        n[2] += wraps || a.declined != b.declined;
+        if (!wraps && a.declined == b.declined && memcmp(&a, &b, sizeof(a)))
+            return 1;
+    }
+    return n[2] > LISTS / 4u || n[0] < LISTS;
 }
 
 /* Textured ones. */
@@ -451,12 +488,14 @@ static void end_if(int wrong, int status, const char *text)
 
 int main(void)
 {
-    uint32_t n[3] = { 0, 0, 0 }, t[3] = { 0, 0, 0 }, v[3] = { 0, 0, 0 }, outcome[ZS_OUTCOMES] = { 0 };
+    uint32_t n[3] = { 0, 0, 0 }, m[3] = { 0, 0, 0 }, t[3] = { 0, 0, 0 }, v[3] = { 0, 0, 0 },
+             outcome[ZS_OUTCOMES] = { 0 };
     if (hal_init())
         hal_exit(2);
     r.vert = pool;
     r.tri = tri;
     end_if(lists(n), 1, "lists of triangles differ\n");
+    end_if(moved(m), 7, "lists of moved triangles differ\n");
     end_if(textured(t), 5, "lists of textured triangles differ\n");
     end_if(vertices(v), 6, "vertices differ\n");
     end_if(meshes(outcome), 3, "meshes differ\n");

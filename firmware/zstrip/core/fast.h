@@ -141,12 +141,13 @@ struct zs_fast {
     /* Hooks for triangles of one shader. */
     const struct zs_shader *shader;
     /* In place of set-up and rasterisation: draw job->tri in its strip. Called if the triangle has
-     * no depth state, its keys may be linear, and no pixel of the strip is uncleared. Sets
-     * job->tri_end if it returns 1. Where job->chain is set (ZS_CHAIN_USED), it may also draw the
-     * triangles that follow in the list, while they are of the same instance and end in this strip;
-     * it leaves job->tri at the last one that it has drawn. Where ZS_CHAIN_KEEPS is 1, those before
-     * the last may go on below the strip: it appends them to job->keep. If it declines one of those
-     * that follow, job->tri_end is job->y1: the last one has been appended as well. */
+     * no depth state (or zs_fast_moves holds), its keys may be linear, and no pixel of the strip is
+     * uncleared. Sets job->tri_end if it returns 1. Where job->chain is set (ZS_CHAIN_USED), it may
+     * also draw the triangles that follow in the list, while they are of the same instance and end
+     * in this strip; it leaves job->tri at the last one that it has drawn. Where ZS_CHAIN_KEEPS is
+     * 1, those before the last may go on below the strip: it appends them to job->keep. If it
+     * declines one of those that follow, job->tri_end is job->y1: the last one has been appended as
+     * well. */
     int (*draw)(struct zs_job *job);
 #if ZS_SET_UP
     /* In place of shader->start. */

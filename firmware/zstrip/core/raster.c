@@ -121,7 +121,8 @@ static ZS_NOINLINE void draw(struct zs_job *job, int linear)
         job->bias = zs_depth_state_bias(job);
     if (job->shader->start && !zs_fast_start(job))
         job->shader->start(job);
-    if (linear && ZS_IF_FAST(job->rows) && !job->split && job->rows(job))
+    if (linear && ZS_IF_FAST(job->rows) && !job->split &&
+        (!job->depth_state || zs_fast_moved(job)) && job->rows(job))
         return;
     job->piece = job->split & ZS_SPLIT_WINDOW ? r->track->piece
                  : ZS_IF_FAST(job->split)     ? r->touch->piece
@@ -217,12 +218,14 @@ static ZS_NOINLINE int (*job_instance(struct zs_job *job, uint32_t number))(stru
         return 0;
     if (job->shader->span)
         job->span = job->shader->span;
-    if (job->depth_state || !ZS_IF_FAST(job->fast))
+    const struct zs_depth_state *const state = job->depth_state;
+    if (!ZS_IF_FAST(job->fast) || (state && (state->func != ZS_DEPTH_LESS || state->read_only)))
         return 0;
     job->rows = job->fast->rows;
-    if (job->fast->span)
+    if (job->fast->span && !state)
         job->span = job->fast->span;
-    return !r->untouched && r->view.piece_shift ? job->fast->draw : 0;
+    return !r->untouched && r->view.piece_shift && (!state || zs_fast_moves(job)) ? job->fast->draw
+                                                                                  : 0;
 }
 
 /* Set the fields of job that depend on the pass: the part of its viewport in the strip. */

@@ -31,8 +31,8 @@ _Static_assert(ZS_TINY == 1 << 14 && ZS_TINY_AREA == 1 << 13 && ZS_SUBPX_BITS ==
 #define AT(name) "[sp, #" NUMBER(F_##name) "]"
 
 /* The vertices: r6, r7, r8 the top one; r9, r10, r11 and r2, r3, r4 the others, less it; r0: twice
- * the area. 9f: declined. 20f: in the last piece; back at 2. Then r4 is the third key's difference,
- * negated. */
+ * the area. 9f: declined. 20f: in the last piece, or LAST is 0; back at 2. Then r4 is the third
+ * key's difference, negated. */
 #define LOOK                                                                                       \
     "ldrh r3, [r1]\n\tldrh r4, [r1, #2]\n\tldrh r2, [r1, #4]\n\t"                                  \
     "ldr r0, " AT(POOL) "\n\tmovs r5, #12\n\t"                                                    \
