@@ -186,8 +186,8 @@ export class Engine {
     /** Draw a model from here on. Where it is refused what was drawn before stays.
      * Colours are 0 .. 1 a channel. A vertex without texture coordinates has NaN there.
      * @param {{name?: string, positions: Float64Array|Float32Array, indices: Uint32Array|Uint16Array|number[],
-     *          normals?: Float32Array, uvs?: Float64Array|Float32Array, uvDown?: boolean, single?: boolean, flat?: boolean,
-     *          colors?: Float32Array,
+     *          normals?: Float32Array, uvs?: Float64Array|Float32Array, uvDown?: boolean, single?: boolean,
+     *          flat?: boolean, colors?: Float32Array,
      *          triMaterial?: Uint32Array, materials?: Material[], textures?: Texture[], losses?: string[]}} model
      *   single: positions came through single precision, as those of a Float32Array did
      *   flat: faces without normals are flat where others have some, as glTF wants it

@@ -443,7 +443,7 @@ refuse light_without_direction 'has no direction' quad.obj --light dir:0,0,0
 awk 'BEGIN { for (i = 0; i <= 110; i++) for (j = 0; j <= 110; j++) print "v", i, (7 * i + 3 * j) % 5, j
     for (i = 0; i < 110; i++)
         for (j = 1; j <= 110; j++) { a = 111 * i + j; print "f", a, a + 1, a + 112, a + 111 } }' >waves.obj
-refuse flat_under_a_shadow_map 'map: a part of flat faces has 24200 triangles, and may have 21845; take --shade smooth' \
+refuse flat_under_a_map 'map: a part of flat faces has 24200 triangles, and may have 21845; take --shade smooth' \
     waves.obj --shadow map
 refuse five_lights 'at most 4 lights' quad.obj --light dir:1,1,1 --light dir:1,1,1 --light dir:1,1,1 --light dir:1,1,1 \
     --light dir:1,1,2

@@ -570,6 +570,11 @@ static void lamp_dir_1(struct world *w)
     w->lamp.dir[2] = 1;
 }
 
+static void lamp_dir_0(struct world *w)
+{
+    w->lamp.dir[2] = 0;
+}
+
 static void power_0(struct world *w)
 {
     memset(&w->shine, 0, sizeof w->shine);
@@ -591,7 +596,9 @@ static const struct mistake dark[] = {
     { "black faces", NULL, black_faces, ZS_OK, "all that is drawn is black: colours, texture or lamps are" },
     { "black faces, no colour", NULL, black_all, ZS_OK, "all that is drawn is black: colours, texture or lamps are" },
     { "strength 1", with_lamps, lamp_strength_1, ZS_OK, "all that is drawn is black: colours, texture or lamps are" },
-    { "lamp 0 0 1", with_lamps, lamp_dir_1, ZS_ERR_VECTOR, "instance 0 is refused: a direction of length 0" },
+    { "lamp 0 0 1", with_lamps, lamp_dir_1, ZS_ERR_VECTOR, "instance 0 is refused: a lamp of its lighting has a dir" },
+    { "lamp 0 0 0", with_lamps, lamp_dir_0, ZS_ERR_VECTOR,
+      "instance 0 is refused: a lamp of its lighting has a dir that is not 1 long: give it a direction, and zs_unit" },
     { "power 0", with_lamps, power_0, ZS_ERR_RANGE,
       "instance 0 is refused: its material has a field out of range: lamps, flags, a shine that" },
 };
@@ -1310,6 +1317,12 @@ MAKE(near_reads_only, const struct zs_instance near_one = w->instance[0]; w->ins
      w->instance[0] = near_one; w->instance[0].depth_state = &no_keys)
 MAKE(far_reads_only, near_first(w); w->instance[0].pose.pos[2] = -9000; w->instance[0].depth_state = &no_keys)
 
+static void ends_meet(struct world *w)
+{
+    w->camera.z_near = -100000 * (zs_q48_16)ZS_Q16_ONE;
+    w->camera.z_far = w->camera.z_near + 1;
+}
+
 static void orthographic_far(struct world *w)
 {
     w->camera.z_far = w->camera.z_near;
@@ -1346,6 +1359,8 @@ static const struct mistake sizes[] = {
       I0 " is refused: its shader does not go with config.method, or with config.depth" },
     { "ZS_LINES", with_lines, no_lines_macro, ZS_ERR_NULL,
       I0 " is refused: material.primitive has no ops: ZS_LINES or ZS_POINTS sets it.\n" },
+    { "near and far, next to each other", with_orthographic, ends_meet, ZS_ERR_NEAR,
+      "the camera is refused: near = -100000 and far = -100000 are closer to each other than 2^-29 of the distance" },
     { "far and low", with_orthographic, far_and_low, ZS_ERR_RANGE,
       I0 " is refused: the camera's height is 4, too small for it" },
     { "3 of 12 triangles", NULL, tris_3, 0, I0 ": 1 of 8 vertices are in no triangle: is mesh.n_tris right? It is 3." },

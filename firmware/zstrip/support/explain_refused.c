@@ -29,6 +29,13 @@ static int say_pos(struct zs_explainer *e, const char *name, const int32_t pos[3
 
 /* ---- Camera, light and scene ----------------------------------------------------------------- */
 
+/* ZS_ERR_NEAR of an orthographic camera. */
+static void say_span(struct zs_explainer *e)
+{
+    ZS_SAY(e, "near = $ and far = $ are closer to each other than 2^-29 of the distance: move far "
+              "out.", e->r->camera.z_near, e->r->camera.z_far);
+}
+
 static void say_camera(struct zs_explainer *e, int err)
 {
     const struct zs_camera *const c = &e->r->camera;
@@ -50,6 +57,8 @@ static void say_camera(struct zs_explainer *e, int err)
         ZS_SAY(e, "its height is $: zs_camera_orthographic sets it.", c->height);
     else if (!zs_rotation_ok(c->rot))
         ZS_SAY(e, "rot is no rotation: zs_camera_look_at sets it.");
+    else if (err == ZS_ERR_NEAR && !perspective)
+        say_span(e);
     else if (!say_pos(e, "pos", c->pos) && err == ZS_ERR_RANGE)
         ZS_SAY(e, "its height is $, too small beside near = $: was % * 65536 meant?", c->height,
                c->z_near, c->height);
@@ -244,8 +253,10 @@ static void say_instance(struct zs_explainer *e, uint32_t i, int err)
         ZS_SAY(e, "its shadow map was drawn by a perspective camera: zs_shade_shadowed_lit takes "
                   "those, and its shader takes orthographic ones.");
     else if (err == ZS_ERR_NEAR && e->r->camera.projection == ZS_ORTHOGRAPHIC)
-        ZS_SAY(e, "near = $ and far = $ are too close beside its distance: move far out.",
-               e->r->camera.z_near, e->r->camera.z_far);
+        say_span(e);
+    else if (err == ZS_ERR_VECTOR)
+        ZS_SAY(e, "a lamp of its lighting has a dir that is not 1 long: give it a direction, and "
+                  "zs_unit makes it ZS_Q30_ONE long.");
     else if (err == ZS_ERR_DEPTH)
         ZS_SAY(e, "its shader does not go with config.method, or with config.depth: the header of "
                   "either says which do.");
