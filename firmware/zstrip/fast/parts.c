@@ -7,9 +7,9 @@
  * (parts_tris of them). Notes begin in the first walk, which leaves out only what is drawn in no
  * band: where the band first ends earlier, or with a mesh that is surely more than the pools hold.
  * Parts before that place are taken to reach all rows, until a later walk bins one from its first
- * triangle on, and notes it; it notes none of a mesh whose clusters may be left out, as these may be
- * drawn in another band. Parts that are not binned in batches, and those with a vertex that is not on the
- * screen, are always taken to reach all rows.
+ * triangle on, and notes it; it notes none of a mesh whose clusters may be left out, as these may
+ * be drawn in another band. Parts that are not binned in batches, and those with a vertex that is
+ * not on the screen, are always taken to reach all rows.
  *
  * Not for frames in passes; not with damage tracking, where the first walk, too, leaves out
  * instances that do not reach its band; and not under methods other than the depth buffer. What it
