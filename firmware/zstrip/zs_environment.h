@@ -74,8 +74,8 @@ int zs_mirror_plane(struct zs_mirror *mirror, const int32_t point[3], const int3
  * tolerance  1/256 mesh step: how far vertices may lie off that triangle's plane.
  * Cost       two loops over the mesh's triangles: call it when the mirror moves.
  * Return     ZS_OK; ZS_ERR_NULL; ZS_ERR_MESH: the mesh is not plane, or has no triangle with an
- *            area, or one with a vertex that there is not; ZS_ERR_RANGE. After an error mirror is
- *            untouched. */
+ *            area, or one with a vertex that there is not; ZS_ERR_RANGE: a position, a scale, or a
+ *            pose.rot that is no rotation. After an error mirror is untouched. */
 int zs_mirror_of(struct zs_mirror *mirror, const struct zs_instance *in, uint32_t tolerance);
 
 /* Set a camera that stands where the eye's picture in the mirror is, and looks where it looks. It

@@ -786,6 +786,11 @@ static void wrong_mirrors_are_refused(void **state)
     assert_int_equal(zs_mirror_of(&mirror, NULL, 0), ZS_ERR_NULL);
     m.quad.tri = quad_tri;
     assert_int_equal(zs_mirror_of(NULL, &in, 0), ZS_ERR_NULL);
+    const struct zs_pose pose = in.pose;
+    in.pose.rot[0] = in.pose.rot[4] = in.pose.rot[8] = ZS_Q30_ONE / 2; /* shrinks */
+    assert_int_equal(zs_mirror_of(&mirror, &in, 0), ZS_ERR_RANGE);
+    in.pose = pose;
+    assert_int_equal(zs_mirror_of(&mirror, &in, 0), ZS_OK);
     in.pose.pos[0] = -ZS_WORLD_MAX - 1;
     assert_int_equal(zs_mirror_of(&mirror, &in, 0), ZS_ERR_RANGE);
     facing(&m, 20);

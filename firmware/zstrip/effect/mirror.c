@@ -245,14 +245,14 @@ int zs_mirror_of(struct zs_mirror *mirror, const struct zs_instance *in, uint32_
             if (zs_size64(zs_dot(n, p) - at) > (int64_t)((uint64_t)tolerance << 30))
                 return ZS_ERR_MESH;
         }
+    const uint64_t scale = zs_usual_scale(in); /* q32_32 */
+    if (scale >> 47 || !zs_rotation_ok(rot))
+        return ZS_ERR_RANGE;
     for (int k = 0; k < 3; k++) {
         if (zs_size32(in->pose.pos[k]) > ZS_WORLD_MAX)
             return ZS_ERR_RANGE;
         world[k] = (zs_q2_30)zs_round_shift(zs_dot(rot + 3 * k, n), 30);
     }
-    const uint64_t scale = zs_usual_scale(in); /* q32_32 */
-    if (scale >> 47)
-        return ZS_ERR_RANGE;
     const int64_t off = zs_mulshift_s64(at, scale, 40); /* < 2^61 */
     const int64_t sum = zs_dot(world, in->pose.pos) + off;
     if (zs_size64(sum) > AT_MAX)
