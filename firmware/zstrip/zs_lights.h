@@ -40,7 +40,8 @@ ZS_C_BEGIN
 
 #ifndef ZS_LIGHTS_MAX
 #define ZS_LIGHTS_MAX 4 /* lamps of a lighting, 0 .. 16; the same for library and program, which
-                           zs_init cannot see */
+                           zs_init cannot see. A library with fewer refuses more (ZS_ERR_RANGE);
+                           one with more reads beyond the program's zs_shadowed_phong.map */
 #endif
 
 enum zs_lamp_kind {

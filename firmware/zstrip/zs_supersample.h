@@ -34,7 +34,8 @@
 
 ZS_C_BEGIN
 
-/* One for each renderer that draws samples; kept by the caller while it does. */
+/* One for each renderer that draws samples; kept by the caller while it does, in its place: sink
+ * points to it, not to a copy. So do the renderer and the inner sink stay in theirs. */
 struct zs_supersample {
     struct zs_sink sink; /* for zs_render and zs_render_passes; zs_supersample_init sets it */
     const struct zs_resolve *resolve; /* [n_resolves]: drawn over each averaged strip, in px of the
