@@ -75,9 +75,10 @@ void zs_fog_draw(void *ctx, const struct zs_target *target);
 int zs_fog_changes(void *ctx, struct zs_rect *rect); /* all, when it is no longer the same fog;
                                     a struct zs_fog for each renderer with zs_damage_track */
 
-/* Give a layer (zs_blend.h) fog of its own, at each pixel by its key; a hook sees the keys of what
- * is behind a layer. Drawn under the depth buffer, zs_method_hiz and zs_method_transparent; other
- * methods draw without it. zs_layer_door needs none, as it writes keys.
+/* Give a layer (zs_blend.h) fog of its own, at each pixel by its key before a depth state moves it;
+ * a hook sees the keys of what is behind a layer. Drawn under the depth buffer, zs_method_hiz and
+ * zs_method_transparent; other methods draw without it. zs_layer_door needs none, as it writes
+ * keys.
  * layer  set (zs_layered_set)
  * fog    set (zs_fog_set); kept; NULL: no fog again. With zs_layer_add the fog is black: it takes
  *        light away. */

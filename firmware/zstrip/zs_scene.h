@@ -168,9 +168,9 @@ struct zs_mesh {
     const int16_t (*uv)[2];           /* [n_verts], textured shading, in 2^-uv_bits of the texture's
                                          width and height; NULL unless a shader reads it */
     uint8_t uv_bits;                  /* 0 .. 15. 12 holds eight repeats each way, to 1/16 texel of
-                                         256. Clipping at the near plane rounds to a step: take
-                                         log2 of the texture's size + 3 or more, or texels there
-                                         move about */
+                                         256. Clipping (near plane, guard band) rounds to a step:
+                                         take log2 of the texture's size + 3 or more, or texels
+                                         there move about */
     const struct zs_cluster *cluster; /* [n_clusters], all triangles in order; NULL: none */
     uint32_t n_clusters;
     const struct zs_bvh_node *bvh; /* zs_method.h; used only with clusters. NULL: none */

@@ -46,8 +46,8 @@ struct zs_shadow_light {
  *          is enough for a closed mesh; take ZS_CULL_NONE for others.
  * Exact    a vertex is within half a step (0.52) of its true place in each axis, and the shadow's
  *          stretch (1 below the light, at most 256) times 2^-16 world unit; on a plane along two
- *          world axes it is exactly on the plane. A thing high above the plane, by 100 of its
- *          radii or more: its shadow as a whole is up to 2^-22 of that height aside, too. The
+ *          world axes it is exactly on the plane. The shadow as a whole is up to 2^-22 of the
+ *          thing's height above the plane aside, too: a step at 100 of its radii or so. The
  *          longest side of the bound of a shadow takes 16,350 to 32,700 steps to each side, and a
  *          shadow a fifth to all of its bound.
  * Cost     7,000 instructions, and 330 for a vertex (a point light: 10,000 and 520) on a Cortex-M3.
