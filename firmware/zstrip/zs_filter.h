@@ -31,10 +31,10 @@
  * RMS difference to 16 x 16 samples a pixel, of 255, 160x120 (make t T=aliasing, then
  * build/test/test_aliasing):              nearest  bilinear  mipmap  mipmap_bilinear
  *     checker floor to the horizon           52.0      48.3    34.7             20.3
- *     brick floor to the horizon             31.7      27.1    16.9             12.0
- *     checker card that turns, far           43.9      35.4    42.6             13.1
- *     brick card that turns, far             32.8      26.6    17.2             12.7
- *     brick card that turns, near            13.7       7.0    13.2              7.9
+ *     brick floor to the horizon             31.7      27.1    16.9             12.2
+ *     checker card that turns, far           43.9      35.5    42.6             13.2
+ *     brick card that turns, far             32.8      26.6    17.2             12.9
+ *     brick card that turns, near            13.7       7.1    13.2              7.9
  *
  * SPDX-License-Identifier: MIT
  */
