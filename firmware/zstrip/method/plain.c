@@ -4,6 +4,7 @@
  */
 #include "core/fx.h"
 #include "core/rows.h"
+#include "shade/stages.h"
 #include "zs_lines.h"
 #include "zs_shader.h"
 
@@ -14,11 +15,6 @@ uint16_t zs_plain_face(const struct zs_shading *s, uint32_t t)
     return zs_wire16(zs_rgb565(c->r, c->g, c->b));
 }
 
-static void plain_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
-{
-    zs_fill_run(job->color + row->at + from, job->tri->paint, (uint32_t)(to - from));
-}
-
 static void none_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     (void)job;
@@ -27,5 +23,5 @@ static void none_run(struct zs_job *job, const struct zs_row *row, int32_t from,
     (void)to;
 }
 
-const struct zs_shader zs_shade_plain = { .face = zs_plain_face, .run = plain_run, .opaque = 1 };
+const struct zs_shader zs_shade_plain = { .face = zs_plain_face, .run = zs_solid_run, .opaque = 1 };
 const struct zs_shader zs_shade_none = { .run = none_run };
