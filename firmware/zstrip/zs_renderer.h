@@ -165,7 +165,7 @@ struct zs_row;
 struct zs_strip;
 struct zs_pass;
 struct zs_pass_memory;
-struct zs_pass_kernel;
+struct zs_pass_ops;
 struct zs_share_part;
 
 /* Draw pixels [i, end) of a scanline, each as zs_texture_pixel does (shade/texture.h). Called if
@@ -215,9 +215,9 @@ struct zs_renderer {
     uint16_t *attr;          /* [max_verts][varyings] */
     const struct zs_scene *scene; /* of the current pass, borrowed from begin to end; NULL: no frame
                                      is open */
-    const struct zs_pass_kernel *passes; /* functions for frames in passes; NULL: one pass that is
+    const struct zs_pass_ops *passes; /* functions for frames in passes; NULL: one pass that is
                                             the whole frame */
-    const struct zs_track_kernel *track; /* zs_damage_track; NULL: off, every strip is drawn */
+    const struct zs_track_ops *track; /* zs_damage_track; NULL: off, every strip is drawn */
     uint16_t *vert_map;      /* [max_verts]: vertex number modulo a power of two -> index in the
                                 pool; an entry may be stale, so vert_src is compared */
     uint32_t strip_mul;
@@ -253,7 +253,7 @@ struct zs_renderer {
     struct zs_light light;     /* the scene's, or the usual light */
     struct zs_stats stats;
     /* zs_damage_compare; NULL: off, every column counts as changed */
-    const struct zs_strip_hash_kernel *strip_hash;
+    const struct zs_strip_hash_ops *strip_hash;
     struct zs_strip_hashes *sums; /* hashes of what the panel shows, the caller's */
     uint32_t *track_memory;       /* the caller's: the frame's hash, the records of the instances,
                                      and then track_due */

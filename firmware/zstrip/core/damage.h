@@ -12,7 +12,7 @@ struct zs_row;
 
 /* Comparison of finished strips with what the panel shows (damage/strip_sums.c). It is linked if
  * the program calls zs_damage_compare. */
-struct zs_strip_hash_kernel {
+struct zs_strip_hash_ops {
     /* Compare the strip's hashes with the panel's; set dirty_x and dirty_w. */
     void (*look)(struct zs_renderer *r, struct zs_strip *out);
     /* Drop the hashes in a rectangle, so that it counts as changed. NULL: the whole frame. */
@@ -26,7 +26,7 @@ struct zs_region {
 
 /* Tracking of instances, to draw only dirty strips and columns (damage/track.c). It is linked if
  * the program calls zs_damage_track. */
-struct zs_track_kernel {
+struct zs_track_ops {
     /* Find the dirty strips of a new frame, and lower draw_end to the end of the last one. Calls
      * zs_frame_check if anything differs from the frame before. May set r->scene. */
     int (*check)(struct zs_renderer *r, const struct zs_scene *scene);

@@ -258,7 +258,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->first = 0;
     r->n_instances = (uint16_t)scene->n_instances;
     zs_view_frame(&r->view, &r->config);
-    const struct zs_track_kernel *track = r->track;
+    const struct zs_track_ops *track = r->track;
     const int err = track ? track->check(r, scene) : zs_frame_check(r, scene);
     if (err)
         return err;
@@ -294,10 +294,10 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         return ZS_ERR_SEQUENCE;
     if (r->strip == r->n_strips)
         return 0;
-    const struct zs_track_kernel *track = r->track;
+    const struct zs_track_ops *track = r->track;
     const int draw = !track || track->due(r);
     if (draw) {
-        const struct zs_pass_kernel *passes = r->passes;
+        const struct zs_pass_ops *passes = r->passes;
         if (passes)
             passes->begin(r);
         if (ZS_IF_FAST(r->touch))
@@ -322,7 +322,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->depth = r->depth;
     out->dirty_x = draw ? r->window[0] : 0u;
     out->dirty_w = draw ? (uint16_t)(r->window[1] - r->window[0]) : 0u;
-    const struct zs_strip_hash_kernel *strip_hash = r->strip_hash;
+    const struct zs_strip_hash_ops *strip_hash = r->strip_hash;
     if (strip_hash && draw)
         strip_hash->look(r, out);
     uint16_t *const given = r->color[0];

@@ -8,7 +8,7 @@
 #include "zstrip.h"
 
 /* Linked if the program calls zs_frame_begin_passes. */
-struct zs_pass_kernel {
+struct zs_pass_ops {
     /* Before a strip is drawn: load the first pass. No viewport of another pass is cleared yet. */
     void (*begin)(struct zs_renderer *r);
     /* During a walk: load the pass of an instance into r->scene, r->camera and r->view. */

@@ -47,7 +47,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
 {
     struct zs_bounds b;
     const struct zs_instance *in = zs_instance_of(r, number);
-    const struct zs_track_kernel *track = r->track;
+    const struct zs_track_ops *track = r->track;
     const struct zs_fast_clusters *clusters =
         in->mesh->cluster ? ZS_IF_FAST(r->clusters_hooks) : 0;
     const struct zs_depth_state *state = in->depth_state;

@@ -11,10 +11,10 @@ int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
         return ZS_ERR_NULL;
     if (r->ready != 1)
         return ZS_ERR_SEQUENCE;
-    const struct zs_strip_hash_kernel *strip_hash = r->strip_hash;
+    const struct zs_strip_hash_ops *strip_hash = r->strip_hash;
     if (strip_hash)
         strip_hash->forget(r, rect);
-    const struct zs_track_kernel *track = r->track;
+    const struct zs_track_ops *track = r->track;
     if (track)
         track->forget(r, rect);
     return ZS_OK;

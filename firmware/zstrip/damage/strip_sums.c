@@ -57,7 +57,7 @@ static void strip_hash_forget(struct zs_renderer *r, const struct zs_rect *rect)
     }
 }
 
-static const struct zs_strip_hash_kernel kernel = { .look = strip_hash_look,
+static const struct zs_strip_hash_ops kernel = { .look = strip_hash_look,
                                                     .forget = strip_hash_forget };
 
 int zs_strip_hashes_init(struct zs_strip_hashes *sums, uint64_t *memory, uint32_t width,
@@ -90,7 +90,7 @@ int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums)
     r->strip_hash = sums ? &kernel : 0;
     r->unsent = zs_unsent;
     r->sums = sums;
-    const struct zs_track_kernel *track = r->track;
+    const struct zs_track_ops *track = r->track;
     if (track)
         track->forget(r, 0);
     return ZS_OK;

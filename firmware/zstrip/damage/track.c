@@ -410,7 +410,7 @@ static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i
         job->span(job, row, from, to, sum, step);
 }
 
-static const struct zs_track_kernel zs_track_sums = {
+static const struct zs_track_ops zs_track_sums = {
     .check = track_check, .due = track_due, .forget = track_forget, .touches = track_touches,
     .beside = beside, .reaches = reaches_beside, .piece = window_piece
 };

@@ -56,7 +56,7 @@ static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int
  * not depend on pool sizes and strip height. */
 ZS_RARE int zs_cluster_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
 {
-    const struct zs_track_kernel *track = r->track;
+    const struct zs_track_ops *track = r->track;
     const int32_t h = r->config.strip_h;
     struct zs_region region = { r->walk_y, r->walk_y_end, 0, r->view.width };
     int outside = 0;

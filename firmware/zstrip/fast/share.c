@@ -89,7 +89,7 @@ static void part_full(struct zs_renderer *r)
 
 ZS_RARE static void bin(struct zs_renderer *r, struct zs_share_part *p, uint32_t core, uint32_t cut)
 {
-    static const struct zs_track_kernel instances = { .touches = in_part };
+    static const struct zs_track_ops instances = { .touches = in_part };
     static const struct zs_method pools = { .full = part_full };
     static const struct zs_fast_batch part = { .needs = zs_screen_needs, .open = part_open,
                                                .bin = part_bin, .screen = zs_screen,

@@ -211,7 +211,7 @@ static void say_accelerated(struct zs_explainer *e, const struct zs_seen *all)
 
 /* Columns of a strip whose hashes are not those that the panel has: what was sent is not what is
  * drawn now. */
-static ZS_NOINLINE uint32_t stale(struct zs_renderer *r, const struct zs_strip_hash_kernel *hashes,
+static ZS_NOINLINE uint32_t stale(struct zs_renderer *r, const struct zs_strip_hash_ops *hashes,
                                   struct zs_strip *strip)
 {
     uint64_t *const sum = r->sums->sum + strip->y / r->config.strip_h * r->sums->columns;
@@ -228,7 +228,7 @@ static ZS_NOINLINE uint32_t stale(struct zs_renderer *r, const struct zs_strip_h
 }
 
 /* Under zs_damage_track: the panel shows another picture than the scene's. */
-static void say_stale(struct zs_explainer *e, const struct zs_strip_hash_kernel *hashes)
+static void say_stale(struct zs_explainer *e, const struct zs_strip_hash_ops *hashes)
 {
     struct zs_renderer *const r = e->r;
     struct zs_strip strip;
@@ -274,8 +274,8 @@ static void say_slow(struct zs_explainer *e, const struct zs_seen *all)
 struct kept {
     struct zs_stats stats;
     struct zs_view view;
-    const struct zs_strip_hash_kernel *strip_hash;
-    const struct zs_track_kernel *track;
+    const struct zs_strip_hash_ops *strip_hash;
+    const struct zs_track_ops *track;
     uint16_t window[2];
 };
 

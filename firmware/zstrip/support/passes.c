@@ -118,7 +118,7 @@ static void pass_end(struct zs_renderer *r)
     }
 }
 
-static const struct zs_pass_kernel kernel = {
+static const struct zs_pass_ops kernel = {
     .begin = pass_begin, .use = pass_use, .reach = pass_reach, .end = pass_end
 };
 
