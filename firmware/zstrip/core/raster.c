@@ -180,7 +180,7 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 /* Find the accelerator of a shader or of a texel format. NULL: there is none. Shaders without
  * varyings that have the same `run` (zs_solid_run) have the same one: faces lit by lamps (1,012 of
  * them take 40 % less on the M3, 24 on the M0), lines (450 edges, 41 and 15 %) and points (400 of 8
- * px, 49 and 29 %). No bytes: method/plain.c is without a `run` of its own. */
+ * px, 49 and 29 %). 30 bytes. */
 static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct zs_shader *shader,
                                      const struct zs_texel *format)
 {

@@ -66,6 +66,9 @@ int32_t zs_depth_state_bias(const struct zs_job *job);
  * run of pixels that pass. */
 zs_piece_fn zs_rows_test;
 
+/* zs_shader.run (shade/solid.c): fill pixels with the triangle's paint, a colour in memory. */
+void zs_solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
+
 /* Count n written pixels, if ZS_STATS is 1. */
 ZS_ALWAYS_INLINE void zs_rows_written(struct zs_job *job, int32_t n)
 {

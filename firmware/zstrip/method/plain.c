@@ -4,7 +4,6 @@
  */
 #include "core/fx.h"
 #include "core/rows.h"
-#include "shade/stages.h"
 #include "zs_lines.h"
 #include "zs_shader.h"
 

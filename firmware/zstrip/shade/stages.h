@@ -8,14 +8,14 @@
 #ifndef ZS_SHADE_STAGES_H
 #define ZS_SHADE_STAGES_H
 
+#include "core/rows.h"
 #include "zs_shader.h"
 
 /* zs_shader.opaque of zs_shade_raw, whose face gives mesh.face_raw where there is one. */
 #define ZS_RAW 5u
-/* zs_shader.face: a colour, as it lies in memory; run: it fills the pixels. */
+/* zs_shader.face: a colour, as it lies in memory; zs_solid_run (core/rows.h) fills the pixels. */
 uint16_t zs_raw_face(const struct zs_shading *s, uint32_t t);
 uint16_t zs_flat_face(const struct zs_shading *s, uint32_t t);
-void zs_solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
 /* zs_shade_smooth's. */
 void zs_smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
 void zs_smooth_start(struct zs_job *job);
