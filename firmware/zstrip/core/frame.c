@@ -278,7 +278,7 @@ void zs_frame_resolve(const struct zs_renderer *r, const struct zs_scene *scene)
     target.color = r->color[0];
     target.depth = r->depth;
     target.y0 = (uint16_t)(r->strip * r->config.strip_h);
-    target.y1 = (uint16_t)(target.y0 + zs_strip_rows(r));
+    target.y1 = (uint16_t)zs_min32(target.y0 + r->config.strip_h, r->config.height);
     target.x0 = r->window[0];
     target.x1 = r->window[1];
     target.pitch = r->config.width;
@@ -313,10 +313,12 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
             zs_frame_resolve(r, r->scene);
     }
 
+    const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;
+    const uint32_t left = r->config.height - y0;
     out->x = 0;
-    out->y = (uint16_t)(r->strip * r->config.strip_h);
+    out->y = (uint16_t)y0;
     out->w = r->config.width;
-    out->h = (uint16_t)zs_strip_rows(r);
+    out->h = (uint16_t)(left < r->config.strip_h ? left : r->config.strip_h);
     out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
