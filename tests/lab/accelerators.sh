@@ -75,6 +75,10 @@ pal8 texture pal8
 pal4 texture pal4
 END
 none "flash of each accelerator" "$(awk 'NF != 2 || $2 <= 0' "$out/flash.txt" | tr ' ' '_')"
+none "flash in zs_fast.h (bytes that it does not say)" "$(while read -r name bytes; do
+    said=$(echo "$bytes" | sed 's/\([0-9]\)\([0-9][0-9][0-9]\)$/\1,\2/')
+    tr -s '\n* ' ' ' <firmware/zstrip/zs_fast.h | grep -q " $said\( bytes\|,\| and\)" || echo "$name:$said"
+done <"$out/flash.txt")"
 echo "What each accelerator is worth on the Cortex-M3: instructions with all that the scene lists, times as many with"
 echo "none, and times as many with one left out. Below 1: it costs more than it saves there. All rows have pools for"
 echo "everything."
