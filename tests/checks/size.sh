@@ -5,9 +5,9 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-FLASH_MAX=${FLASH_MAX:-60801}           # everything but clusters, Cortex-M3 -O2
+FLASH_MAX=${FLASH_MAX:-60809}           # everything but clusters, Cortex-M3 -O2
 FLASH_CLUSTERS_MAX=${FLASH_CLUSTERS_MAX:-3334} # what clusters take
-FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-29558} # flat and recip, and the accelerators that such a program names, Cortex-M3 -O2
+FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-29566} # flat and recip, and the accelerators that such a program names, Cortex-M3 -O2
 # No accelerators, Cortex-M3 -Os
 BARE_FLAT_MAX=${BARE_FLAT_MAX:-14398}   # flat and recip; the goal is 12800
 BARE_TEXTURE_MAX=${BARE_TEXTURE_MAX:-17700} # a texture lit at the vertices, recip; the goal is 16384

@@ -187,7 +187,7 @@ static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct z
     if (ZS_IF_FAST(r->config.fast))
         for (const struct zs_fast *const *at = r->config.fast; *at; at++)
             if (shader ? (*at)->shader && ((*at)->shader == shader ||
-                                           (!shader->n_varyings &&
+                                           (!shader->n_varyings && !shader->span &&
                                             (*at)->shader->run == shader->run))
                        : format && (*at)->format == format)
                 return *at;
