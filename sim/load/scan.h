@@ -43,7 +43,7 @@ struct sim_mtl_entry {
     char *mask;       /* map_d, likewise */
     double d;         /* opacity, by d or Tr; 1 where it is not given */
     double ke[3], ks[3], ns; /* 0 where they are not given */
-    int other_maps;   /* bits of enum sim_lost_kind: textures that are passed over */
+    uint64_t other_maps; /* bits of enum sim_lost_kind: textures that are passed over */
     double kd[3];     /* 1 1 1 where it is not given */
     double scale[2], shift[2]; /* -s and -o: uv = scale * given + shift, v upwards; 1 and 0 */
     int clamp;        /* flag: -clamp on */

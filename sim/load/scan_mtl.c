@@ -130,7 +130,9 @@ static void take_map(struct sim_mtl_entry *e, char **name, const char *at, const
     *name = rest(at, end);
 }
 
-static int other_map(const struct word *w)
+_Static_assert(SIM_LOST_KINDS <= 64, "other_maps has bits for all");
+
+static uint64_t other_map(const struct word *w)
 {
     static const struct {
         const char *word;
@@ -146,8 +148,8 @@ static int other_map(const struct word *w)
                   { "map_Tr", SIM_LOST_OPACITY_MAP },    { "map_emissive", SIM_LOST_EMISSION_MAP } };
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (is(w, known[i].word))
-            return 1 << known[i].kind;
-    return w->n > 4 && strncasecmp(w->p, "map_", 4) == 0 && !is(w, "map_aat") ? 1 << SIM_LOST_OTHER_MAP : 0;
+            return (uint64_t)1 << known[i].kind;
+    return w->n > 4 && strncasecmp(w->p, "map_", 4) == 0 && !is(w, "map_aat") ? (uint64_t)1 << SIM_LOST_OTHER_MAP : 0;
 }
 
 static void take_line(struct sim_mtl *mtl, const char *at, const char *end)
