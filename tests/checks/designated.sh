@@ -45,7 +45,8 @@ by_name "applications name fields" \
     "-Ihal -Ihal/panel -Ifirmware/app -I$gen -I$dir/made -DFRAME_DEMO=teapot -DSHOW_DEMO=teapot" firmware/app/*.c
 by_name "the simulator names fields" "$SIM -Ifirmware/app -DSTAGE_ORBIT=1" sim/*/*.c # of the page, too
 by_name "tests name fields" "$SIM -Itests/lib -Itests/lab/fuzz -Itests/lab/stress -Ifirmware/app" \
-    tests/lib/*.c tests/unit/*.c tests/property/*.c tests/tools/*.c tests/lab/fuzz/*.c tests/lab/stress/*.c
+    tests/lib/*.c tests/unit/*.c tests/property/*.c tests/tools/*.c tests/lab/fuzz/*.c tests/lab/stress/*.c \
+    tests/lab/effects/*.c
 LIST=$FAST_ALL minimal "$dir/minimal.c" flat recip "$EVERYTHING $OWN"
 echo "$OTHERS $OWN_SHADER" >>"$dir/minimal.c"
 by_name "firmware of checks names fields" "" "$dir/minimal.c"

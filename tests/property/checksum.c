@@ -515,7 +515,7 @@ static void page_over(struct page *p)
     p->material[1].material.shader = &zs_shade_smooth_ordered;
     fog = (struct zs_fog){ .color = 0x8410, .start = 8000, .end = 20000, .curve = ZS_FOG_EXPONENTIAL, .sky = 1 };
     (void)zs_fog_set(&fog, &p->config, &p->camera);
-    dither = (struct zs_dither){ &zs_dither_grey4, &zs_dither_blue };
+    dither = (struct zs_dither){ .format = &zs_dither_grey4, .pattern = &zs_dither_blue };
     p->scene.resolve = hook;
     p->scene.n_resolves = 3;
 }

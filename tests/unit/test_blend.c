@@ -226,7 +226,7 @@ static void twins_make(struct twins *t, struct prng *p, int kind, int other, uin
         for (int j = 0; j < WORLD_MATERIALS; j++) {
             const int family = family_of(t->w.material[j].shader);
             const int to = k ? other : kind;
-            t->blend[j][k] = (struct zs_blend){ t->w.material[j], alpha, phase };
+            t->blend[j][k] = (struct zs_blend){ .material = t->w.material[j], .alpha = alpha, .phase = phase };
             if (family >= 0)
                 t->blend[j][k].material.shader = to == NOTHING ? &zs_shade_none : layer_shaders[family][to];
         }
@@ -344,8 +344,10 @@ static int far_case(uint64_t seed)
     struct zs_depth_state state = { .func = (uint8_t)prng_pick(&p, 3), .read_only = !door || prng_pick(&p, 2),
                                     .bias = (int16_t)prng_range(&p, -3, 3) };
     const struct zs_depth_state *const asked = door && prng_pick(&p, 3) == 0 ? NULL : &state;
-    struct zs_blend blend[2] = { { { .shader = &zs_shade_raw, .rgb = ZS_RGB(0x00ff00), .cull = ZS_CULL_NONE }, 255, 0 },
-                                 { { .rgb = ZS_RGB(0xff0000), .cull = ZS_CULL_NONE }, 255, 0 } };
+    struct zs_blend blend[2] = {
+        { .material = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0x00ff00), .cull = ZS_CULL_NONE }, .alpha = 255 },
+        { .material = { .rgb = ZS_RGB(0xff0000), .cull = ZS_CULL_NONE }, .alpha = 255 }
+    };
     struct picture is[2];
     for (int k = 0; k < 6; k++) {
         far_pos[k][2] = (int16_t)-prng_range(&p, 9997, 10000);
@@ -468,7 +470,9 @@ static int refused(const struct zs_shader *shader, const struct zs_mesh *mesh, c
                    uint8_t phase, uint8_t varyings)
 {
     struct zs_camera camera;
-    const struct zs_blend blend = { { .shader = shader, .texture = texture }, 100, phase };
+    const struct zs_blend blend = { .material = { .shader = shader, .texture = texture },
+                                    .alpha = 100,
+                                    .phase = phase };
     const struct zs_instance instance = { .mesh = mesh, .material = &blend.material };
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
     struct zs_config c = picture_config(N, N, &zs_depth_linear);

@@ -637,7 +637,7 @@ struct model {
 static void model_draw(struct model *m, const struct zs_depth_state *s, int32_t key, int32_t offset,
                        int32_t most, uint16_t color)
 {
-    static const struct zs_depth_state none = { 0, 0, 0, 0 };
+    static const struct zs_depth_state none = { 0 };
     s = s ? s : &none;
     key = clamp((int64_t)key + offset, 0, most);
     if (s->func != ZS_DEPTH_ALWAYS && ((uint32_t)key > m->key || ((uint32_t)key == m->key && !s->func)))

@@ -1641,7 +1641,7 @@ static void indices_from_1(struct world *w)
     w->cube.tri = (const uint16_t(*)[3])face_1;
 }
 
-static struct zs_dither dither = { &zs_dither_grey4, &zs_dither_ordered };
+static struct zs_dither dither = { .format = &zs_dither_grey4, .pattern = &zs_dither_ordered };
 
 static void with_dither(struct world *w)
 {

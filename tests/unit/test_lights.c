@@ -321,7 +321,7 @@ static int shine_case(uint64_t seed)
     l.power = (unsigned)(seed < 256 ? seed : 1 + prng_pick(&p, 255));
     CASE_CHECK(zs_shine_set(&l.shine, l.power) == ZS_OK);
     l.lamp[0].dir[2] = ZS_Q30_ONE;
-    l.lighting = (struct zs_lighting){ l.lamp, 1, { 0, 0, 0 } };
+    l.lighting = (struct zs_lighting){ .lamp = l.lamp, .n_lamps = 1 };
     l.material = (struct zs_lit_material){ .lighting = &l.lighting, .shine = &l.shine, .specular = { 255, 255, 255 } };
     for (int i = 0; i <= 100; i++) { /* angles up to where the power is 1/300 */
         const double a = acos(pow(300, -1.0 / l.power)) * i / 100;
@@ -768,7 +768,7 @@ static void stress_35_more_light_than_white(void **state)
     for (int i = 0; i < ZS_LIGHTS_MAX; i++)
         many[i] = (struct zs_lamp){ .dir = { 0, 0, ZS_Q30_ONE + (1 << 17) }, .strength = 4 * ZS_Q16_ONE };
     assert_int_equal(zs_shine_set(&shine, 255), ZS_OK);
-    struct zs_lighting lighting = { many, ZS_LIGHTS_MAX, { 255, 255, 255 } };
+    struct zs_lighting lighting = { .lamp = many, .n_lamps = ZS_LIGHTS_MAX, .ambient = { 255, 255, 255 } };
     s.material.shine = &shine;
     s.material.specular = s.material.emission = (struct zs_rgb){ 255, 255, 255 };
     s.material.lighting = &lighting;

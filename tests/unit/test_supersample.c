@@ -154,7 +154,7 @@ static void level_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_
 static int average_case(uint64_t seed)
 {
     struct prng p = { seed };
-    struct zs_background sky = { random_fill, &seed };
+    struct zs_background sky = { .fill = random_fill, .ctx = &seed };
     const struct zs_scene scene = { .sky = &sky };
     struct zs_config c = {
         .width = (uint16_t)(2 * prng_range(&p, 1, 60)), .height = (uint16_t)(2 * prng_range(&p, 1, 40)), .max_tris = 1,
@@ -467,7 +467,7 @@ static void cells_of_odd_width(void **state)
     assert_int_equal(damage_compare_anew(&r, &hashes, sums, 4), ZS_OK);
     assert_int_equal(zs_supersample_init(&s, &r, &sink), ZS_OK);
     for (uint32_t at = 0; at < 12; at++) {
-        struct zs_background sky = { column_fill, &at };
+        struct zs_background sky = { .fill = column_fill, .ctx = &at };
         const struct zs_scene scene = { .sky = &sky };
         assert_int_equal(zs_render(&r, &scene, &camera, &s.sink), ZS_OK);
         for (int32_t x = 0; x < 6; x++)

@@ -163,7 +163,9 @@ static struct zs_blend blends[WORLD_MATERIALS];
 static void world_layers(struct world *w, struct prng *p)
 {
     for (uint32_t j = 0; j < WORLD_MATERIALS; j++) {
-        blends[j] = (struct zs_blend){ w->material[j], (uint8_t)prng_pick(p, 256), (uint8_t)prng_pick(p, 64) };
+        blends[j] = (struct zs_blend){ .material = w->material[j],
+                                       .alpha = (uint8_t)prng_pick(p, 256),
+                                       .phase = (uint8_t)prng_pick(p, 64) };
         for (int k = 0; k < 6; k++)
             if (w->material[j].shader == layer_shaders[k][0])
                 blends[j].material.shader = layer_shaders[k][prng_pick(p, 4)];

@@ -122,9 +122,9 @@ static const struct zs_lamp above[1] = { { .kind = ZS_LAMP_POINT, .pos = { 0, 0,
 static const struct zs_lighting above_light = { .lamp = above, .n_lamps = 1 };
 static struct zs_shadow_map cone = { .key = cone_keys, .w = MAP, .h = MAP };
 static struct zs_fog fog = { .color = 0x8410, .start = 20, .end = 200 };
-static const struct zs_dither grey = { &zs_dither_grey4, &zs_dither_ordered },
-                              mono = { &zs_dither_mono, &zs_dither_blue },
-                              rgb332 = { &zs_dither_rgb332, &zs_dither_blue };
+static const struct zs_dither grey = { .format = &zs_dither_grey4, .pattern = &zs_dither_ordered },
+                              mono = { .format = &zs_dither_mono, .pattern = &zs_dither_blue },
+                              rgb332 = { .format = &zs_dither_rgb332, .pattern = &zs_dither_blue };
 
 static void print(const char *name, uint64_t more, uint32_t pixels, uint64_t sum, int err)
 {
@@ -297,7 +297,8 @@ static void item_row(const char *name, const struct zs_item *item)
     }
 #define MAPPED(name_, shader_)                                                                                        \
     {                                                                                                                 \
-        const struct zs_shadowed_material m = { { .shader = &shader_, .rgb = ZS_RGB(0xc08040) }, &map };              \
+        const struct zs_shadowed_material m = { .material = { .shader = &shader_, .rgb = ZS_RGB(0xc08040) },          \
+                                                .map = &map };                                                        \
         row(name_, &m.material);                                                                                      \
     }
 
