@@ -8,7 +8,10 @@ const GROUPS = [
     ['Memory', ['strip', 'buffers', 'maxTriangles', 'maxVertices']],
     ['Depth', ['depthMapping', 'depthBits', 'near', 'far']],
     ['Picture', ['shade', 'method', 'samples', 'textureFormat', 'filter', 'fov']],
-    ['Light and effects', ['light', 'ambient', 'diffuse', 'perPixel', 'specular', 'shadow', 'mirror', 'fog', 'alpha', 'blend', 'dither']],
+    [
+        'Light and effects',
+        ['light', 'ambient', 'diffuse', 'perPixel', 'specular', 'shadow', 'mirror', 'fog', 'alpha', 'blend', 'dither'],
+    ],
 ];
 const LABEL = {
     strip: 'Strip height',

@@ -130,13 +130,12 @@ export class Firmware {
         root.picoDiffer = String(Math.max(differ, frame > 0 ? Number(root.picoDiffer) : 0));
         id('pico-cycles').textContent = count(cycles);
         const off = this.#first;
+        const by = off ? `${Math.abs(off)} % too ${off < 0 ? 'short' : 'long'}` : 'to half a percent';
         id('pico-say').replaceChildren(
             `Frame ${frame + 1}: ${(cycles / 125e3).toFixed(1)} ms of drawing at 125 MHz` +
                 (frame > 0 ? `, ${(1e9 / ns).toFixed(1)} frames a second with the wire. ` : '. '),
             make('b', {}, differ > 0 ? `${count(differ)} pixels differ.` : 'Every pixel is the page\u2019s.'),
-            off === null
-                ? ''
-                : ` The first frame was estimated ${off ? `${Math.abs(off)} % too ${off < 0 ? 'short' : 'long'}` : 'to half a percent'}.`,
+            off === null ? '' : ` The first frame was estimated ${by}.`,
         );
     }
 

@@ -1,5 +1,5 @@
-/* Polygons to triangles: the twin of sim/load/polygon.c, which says how. What one of them computes, the other one does in
- * the same order, so that both give the same triangles.
+/* Polygons to triangles: the twin of sim/load/polygon.c, which says how. What one of them computes, the other one does
+ * in the same order, so that both give the same triangles.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -159,7 +159,9 @@ class Gltf {
         const step = mode === 4 ? 3 : 1;
         /* corners of the triangle that begins there; of a strip every other one is the other way round */
         const cornersAt = (t) =>
-            [mode === 6 ? 0 : mode === 5 ? t + (t % 2) : t, mode === 5 ? t + 1 - (t % 2) : t + 1, t + 2].map((k) => order[k]);
+            [mode === 6 ? 0 : mode === 5 ? t + (t % 2) : t, mode === 5 ? t + 1 - (t % 2) : t + 1, t + 2].map(
+                (k) => order[k],
+            );
         if (order.some((i) => i >= points.length)) {
             const is = (t) => cornersAt(t).every((i) => i < points.length);
             const some = order.some((_, t) => t % step === 0 && t + 2 < order.length && is(t));

@@ -130,7 +130,8 @@ export function* zbuffer(bars) {
     yield s;
 }
 
-/* A textbook's two triangles: one at depth 5; one from 3 at its slanted edge, and one more for each pixel to the left. */
+/* A textbook's two triangles: one at depth 5; one from 3 at its slanted edge, and one more for each pixel to the
+ * left. */
 zbuffer.bars = [
     {
         name: 'gold',
