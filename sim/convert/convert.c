@@ -78,7 +78,7 @@ static void name_files(char *path[N_OUTPUTS], const struct sim_convert_options *
 }
 
 /* The output folder may be missing, but not its parent. *made: it was. */
-static int make_folder(const char *folder, int *made)
+static int make_folder_in_parent(const char *folder, int *made)
 {
     struct stat st;
     *made = 0;
@@ -121,7 +121,7 @@ static int write_all(const struct sim_conversion *c)
     char *path[N_OUTPUTS];
     int made;
     name_files(path, &c->options);
-    int status = make_folder(c->options.out, &made);
+    int status = make_folder_in_parent(c->options.out, &made);
     if (status == SIM_OK && path[2] != NULL &&
         (sim_output_same(path[2], path[0]) || sim_output_same(path[2], path[1])))
         status = sim_refuse(path[2], 0, "is named for two outputs; give --map another");

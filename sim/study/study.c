@@ -221,7 +221,8 @@ static int report(const struct study *study, enum study_effort effort, const cha
     return status;
 }
 
-static int make_folder(const char *path)
+/* The output folder and those above it may be missing; what stands there is a folder. */
+static int make_folder_with_parents(const char *path)
 {
     struct stat st;
     const int status = sim_output_folder(path, 2999);
@@ -239,7 +240,7 @@ static int sweep(const struct study *study, const struct request *rq)
     else
         (void)snprintf(s.csv, sizeof s.csv, "%s/%s.%zu-of-%zu.csv", rq->out, study->name, rq->part, rq->of);
     (void)snprintf(s.part, sizeof s.part, "%s.part", s.csv);
-    int status = make_folder(rq->out);
+    int status = make_folder_with_parents(rq->out);
     if (status == SIM_OK)
         status = sweep_run(&s);
     if (status == SIM_OK && rq->of == 1)
@@ -361,7 +362,7 @@ static int merge(const struct request *rq, int n, char **file)
     if (status == SIM_OK && !m.study)
         status = sim_refuse(file[0], 0, "holds no rows");
     if (status == SIM_OK)
-        status = make_folder(rq->out);
+        status = make_folder_with_parents(rq->out);
     if (status == SIM_OK) {
         (void)snprintf(csv, sizeof csv, "%s/%s.csv", rq->out, m.study->name);
         status = merge_write(&m, csv);
