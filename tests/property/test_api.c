@@ -1,5 +1,5 @@
-/* The public interface: every error by its name, frames out of order, sinks that fail, buffers one
- * element short, and garbage.
+/* The public interface: every error by its name, buffers one element short, and garbage. Calls out of order and sinks
+ * that fail: tests/unit/test_frame.c.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,48 +8,12 @@
 
 #include "cases.h"
 #include "fast_lists.h"
+#include "good.h"
 #include "picture.h"
 #include "internals.h"
 #include "shapes.h"
 
-/* ---- A small scene that is all right --------------------------------------------------------- */
-
-struct good {
-    struct zs_config config;
-    struct zs_material material;
-    struct zs_instance instance;
-    struct zs_scene scene;
-    struct zs_camera camera;
-};
-
-static struct shape ball;
-
-static struct good good_scene(void)
-{
-    static struct zs_material material;
-    static struct zs_instance instance;
-    if (!ball.mesh.n_tris)
-        shape_sphere(&ball, 6, 8, 3000);
-    struct good g;
-    memset(&g, 0, sizeof g);
-    g.config = picture_config(40, 30, &zs_depth_recip);
-    g.config.strip_h = 7;
-    g.config.max_tris = g.config.max_verts = 200;
-    const struct zs_material m = { .shader = &zs_shade_flat, .rgb = { 255, 200, 100 }, .cull = ZS_CULL_BACK };
-    material = m;
-    instance.mesh = &ball.mesh;
-    instance.material = &material;
-    zs_pose_identity(&instance.pose);
-    instance.pose.pos[2] = -9000;
-    g.instance = instance;
-    g.material = material;
-    g.scene.instance = &instance;
-    g.scene.n_instances = 1;
-    g.scene.light.dir[2] = ZS_Q30_ONE;
-    g.scene.light.diffuse = ZS_Q16_ONE;
-    (void)zs_camera_perspective(&g.camera, 8192, 30, 100, 20000);
-    return g;
-}
+/* ---- A small scene with one thing wrong ------------------------------------------------------ */
 
 /* What a frame of a changed scene is answered with; zs_render must agree, and submit nothing. */
 static int answer(const struct good *g)
@@ -132,25 +96,6 @@ static void init_refuses_by_name(void **state)
     assert_int_equal(zs_arena_bytes(NULL), 0);
 }
 
-/* A renderer whose set-up failed, or that never had one, can only be set up. */
-static void nothing_works_before_init(void **state)
-{
-    const struct good g = good_scene();
-    struct zs_renderer r;
-    struct zs_strip strip;
-    struct zs_config bad = g.config;
-    uint32_t arena[4];
-    memset(&r, 0, sizeof r);
-    for (int n = 0; n < 2; n++) {
-        assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_ERR_SEQUENCE);
-        assert_int_equal(zs_frame_strip(&r, &strip), ZS_ERR_SEQUENCE);
-        assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
-        bad.buffers = 9;
-        assert_int_equal(zs_init(&r, n ? &bad : &g.config, arena, sizeof arena),
-                         n ? ZS_ERR_SIZE : ZS_ERR_ARENA);
-    }
-}
-
 static void stress_30_every_buffer_one_element_short(void **state)
 {
     const struct good g = good_scene();
@@ -199,7 +144,7 @@ static void stress_30_every_buffer_one_element_short(void **state)
 
     /* the mesh: one vertex short, so that some triangles name one that is not there */
     struct good mesh = good_scene();
-    struct zs_mesh shorter = ball.mesh;
+    struct zs_mesh shorter = *mesh.instance.mesh;
     shorter.n_verts--;
     mesh.instance.mesh = &shorter;
     struct zs_scene scene = mesh.scene;
@@ -303,7 +248,7 @@ static void frames_refused_by_name(void **state)
 #define REFUSED(change, err) \
     do { \
         struct good g = good_scene(); \
-        struct zs_mesh mesh = ball.mesh; \
+        struct zs_mesh mesh = *g.instance.mesh; \
         g.instance.mesh = &mesh; \
         change; \
         assert_int_equal(answer(&g), err); \
@@ -370,94 +315,6 @@ static void frames_refused_by_name(void **state)
     REFUSED((g.camera.projection = ZS_ORTHOGRAPHIC, g.camera.height = INT64_MAX,
              g.config.depth = &zs_depth_linear), ZS_ERR_CAMERA);
 #undef REFUSED
-}
-
-static void calls_out_of_order(void **state)
-{
-    const struct good g = good_scene();
-    struct zs_renderer r;
-    struct zs_strip s;
-    const uint32_t bytes = zs_arena_bytes(&g.config);
-    void *arena = malloc(bytes);
-    assert_int_equal(zs_init(&r, &g.config, arena, bytes), ZS_OK);
-    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_SEQUENCE);
-    assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
-    assert_int_equal(zs_frame_begin(NULL, &g.scene, &g.camera), ZS_ERR_NULL);
-    assert_int_equal(zs_frame_begin(&r, NULL, &g.camera), ZS_ERR_NULL);
-    assert_int_equal(zs_frame_begin(&r, &g.scene, NULL), ZS_ERR_NULL);
-    assert_int_equal(zs_frame_strip(NULL, &s), ZS_ERR_NULL);
-    assert_int_equal(zs_frame_end(NULL), ZS_ERR_NULL);
-    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_SEQUENCE);
-
-    assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_OK);
-    assert_int_equal(zs_frame_strip(&r, NULL), ZS_ERR_NULL);
-    for (int n = 0; n < 5; n++) { /* 30 rows, strips of 7 */
-        assert_int_equal(zs_frame_strip(&r, &s), 1);
-        assert_int_equal(s.y, 7 * n);
-        assert_int_equal(s.h, n < 4 ? 7 : 2);
-        assert_int_equal(s.n_bytes, 40 * s.h * 2);
-    }
-    assert_int_equal(zs_frame_strip(&r, &s), 0);
-    assert_int_equal(zs_frame_strip(&r, &s), 0);
-    assert_int_equal(zs_frame_end(&r), ZS_OK);
-    assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
-    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_SEQUENCE);
-    assert_int_equal(zs_frame_stats(&r)->strips, 5); /* still there */
-
-    /* a frame that is refused leaves no frame open */
-    assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_OK);
-    struct zs_camera bad = g.camera;
-    bad.focal = 0;
-    assert_int_equal(zs_frame_begin(&r, &g.scene, &bad), ZS_ERR_CAMERA);
-    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_SEQUENCE);
-    assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
-    free(arena);
-}
-
-/* The rows of *p from strips, against the plain picture. */
-static void strips_are(struct zs_renderer *r, const struct picture *p)
-{
-    struct zs_strip s;
-    int32_t rows = 0;
-    while (zs_frame_strip(r, &s) == 1) {
-        for (int32_t i = 0; i < s.w * s.h; i++) {
-            assert_int_equal(s.px[2 * i] << 8 | s.px[2 * i + 1], p->color[s.y * p->w + i]);
-            assert_int_equal(s.depth[i], p->key[s.y * p->w + i]);
-        }
-        rows += s.h;
-    }
-    assert_int_equal(rows, p->h);
-}
-
-static void begin_in_the_middle_of_a_frame(void **state)
-{
-    const struct good g = good_scene();
-    struct zs_config small = g.config;
-    struct zs_strip s;
-    struct picture plain = picture_draw(&g.config, &g.scene, &g.camera);
-    for (int pools = 0; pools < 2; pools++) {
-        small.max_tris = pools ? 3 : 200;
-        small.max_verts = pools ? 5 : 200;
-        small.strip_h = 4;
-        struct zs_renderer r;
-        const uint32_t bytes = zs_arena_bytes(&small);
-        void *arena = malloc(bytes);
-        assert_int_equal(zs_init(&r, &small, arena, bytes), ZS_OK);
-        for (int n = 0; n < 8; n++) { /* dropped after n strips, or ended there */
-            assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_OK);
-            for (int k = 0; k < n; k++)
-                assert_int_equal(zs_frame_strip(&r, &s), 1);
-            if (n % 2)
-                assert_int_equal(zs_frame_end(&r), ZS_OK);
-            assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_OK);
-            strips_are(&r, &plain);
-            assert_int_equal(zs_frame_stats(&r)->tris_in, plain.stats.tris_in);
-            assert_int_equal(zs_frame_stats(&r)->tris_drawn, plain.stats.tris_drawn);
-            assert_int_equal(zs_frame_end(&r), ZS_OK);
-        }
-        free(arena);
-    }
-    picture_free(&plain);
 }
 
 static void an_empty_scene_is_background(void **state)
@@ -548,7 +405,7 @@ static void the_largest_mesh(void **state)
         for (uint32_t k = 0; k < 3; k++)
             tri[t][k] = (uint16_t)(3 * t + k); /* the last one names 65535, 0, 1 */
     struct good g = good_scene();
-    struct zs_mesh mesh = ball.mesh;
+    struct zs_mesh mesh = *g.instance.mesh;
     mesh.pos = (const int16_t (*)[3])pos;
     mesh.tri = (const uint16_t (*)[3])tri;
     mesh.normal = NULL;
@@ -570,69 +427,6 @@ static void the_largest_mesh(void **state)
     }
     assert_true(picture_same(&p[0], &p[1], "pools of 500 and of 65534"));
     PICTURES_FREE(&p[0], &p[1]);
-}
-
-/* ---- Sinks ----------------------------------------------------------------------------------- */
-
-struct failing {
-    int submits, waits, lent;
-    int fail_submit, fail_wait; /* at this call, from 1 */
-    int most_lent;
-};
-
-static int failing_submit(void *ctx, const struct zs_strip *s)
-{
-    struct failing *f = ctx;
-    (void)s;
-    if (++f->submits == f->fail_submit)
-        return -777;
-    f->lent++;
-    f->most_lent = f->lent > f->most_lent ? f->lent : f->most_lent;
-    return 0;
-}
-
-static int failing_wait(void *ctx)
-{
-    struct failing *f = ctx;
-    f->lent--;
-    return ++f->waits == f->fail_wait ? -888 : 0;
-}
-
-static void sink_errors_are_passed_on(void **state)
-{
-    const struct good g = good_scene();
-    struct picture plain = picture_draw(&g.config, &g.scene, &g.camera);
-    for (uint8_t buffers = 1; buffers <= 2; buffers++)
-        for (int at = 1; at <= 6; at++)
-            for (int in_wait = 0; in_wait < 2; in_wait++) {
-                struct zs_config c = g.config;
-                c.buffers = buffers;
-                struct zs_renderer r;
-                struct failing f = { 0 };
-                const uint32_t bytes = zs_arena_bytes(&c);
-                void *arena = malloc(bytes);
-                assert_int_equal(zs_init(&r, &c, arena, bytes), ZS_OK);
-                *(in_wait ? &f.fail_wait : &f.fail_submit) = at;
-                const struct zs_sink sink = { .submit = failing_submit, .wait = failing_wait, .ctx = &f };
-                const int want = at > 5 ? ZS_OK : in_wait ? -888 : -777; /* five strips */
-                assert_int_equal(zs_render(&r, &g.scene, &g.camera, &sink), want);
-                assert_int_equal(f.lent, 0); /* everything has been waited for */
-                assert_int_equal(f.most_lent, at == 1 && !in_wait ? 0 : 1);
-                /* no frame is open, and the next one is right */
-                assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
-                assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_OK);
-                strips_are(&r, &plain);
-                free(arena);
-            }
-    struct zs_renderer r;
-    const struct zs_sink none = { 0 };
-    memset(&r, 0, sizeof r);
-    assert_int_equal(zs_render(&r, &g.scene, &g.camera, NULL), ZS_ERR_NULL);
-    assert_int_equal(zs_render(&r, &g.scene, &g.camera, &none), ZS_ERR_NULL);
-    const struct zs_sink sink = { .submit = failing_submit, .ctx = &(struct failing){ 0 } };
-    assert_int_equal(zs_render(&r, &g.scene, &g.camera, &sink), ZS_ERR_SEQUENCE);
-    assert_int_equal(zs_render(NULL, &g.scene, &g.camera, &sink), ZS_ERR_NULL);
-    picture_free(&plain);
 }
 
 /* ---- Garbage --------------------------------------------------------------------------------- */
@@ -758,17 +552,13 @@ static int sphere_case(uint64_t seed)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(strerror_has_a_text_for_each),
     cmocka_unit_test(init_refuses_by_name),
-    cmocka_unit_test(nothing_works_before_init),
     cmocka_unit_test(stress_30_every_buffer_one_element_short),
     cmocka_unit_test(arena_macro_function_and_layout_agree),
     cmocka_unit_test(frames_refused_by_name),
-    cmocka_unit_test(calls_out_of_order),
-    cmocka_unit_test(begin_in_the_middle_of_a_frame),
     cmocka_unit_test(an_empty_scene_is_background),
     cmocka_unit_test(bad_indices_are_not_drawn_and_counted),
     cmocka_unit_test(faces_are_culled_by_their_turn),
     cmocka_unit_test(the_largest_mesh),
-    cmocka_unit_test(sink_errors_are_passed_on),
     CASES_COUNTS(garbage_gets_a_defined_answer, garbage_case, 100000,
                  { "frames with pixels", &garbage_drawn, 20000 },
                  { "refused by name", &garbage_refused, 40000 }),
