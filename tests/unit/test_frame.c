@@ -9,7 +9,7 @@
 #include "good.h"
 #include "picture.h"
 
-/* ---- The order of calls -------------------------------------------------------------------------------------------- */
+/* ---- The order of calls ------------------------------------------------------------------------------------------ */
 
 /* A renderer whose set-up failed, or that never had one, can only be set up. */
 static void nothing_works_before_init(void **state)
