@@ -177,21 +177,24 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
     return hides;
 }
 
-/* Find the accelerator of a shader or of a texel format. NULL: there is none. Shaders without
- * varyings that have the same `run` (zs_solid_run) have the same one: faces lit by lamps (1,012 of
- * them take 40 % less on the M3, 24 on the M0), lines (450 edges, 41 and 15 %) and points (400 of 8
- * px, 49 and 29 %). 30 bytes. */
+/* Find the accelerator of a shader or of a texel format. NULL: there is none. A shader without
+ * varyings that has none takes that of one with the same `run` (zs_solid_run): faces lit by lamps
+ * (1,012 of them take 40 % less on the M3, 24 on the M0), lines (450 edges, 41 and 15 %) and points
+ * (400 of 8 px, 49 and 29 %). */
 static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct zs_shader *shader,
                                      const struct zs_texel *format)
 {
+    const struct zs_fast *like = 0;
     if (ZS_IF_FAST(r->config.fast))
-        for (const struct zs_fast *const *at = r->config.fast; *at; at++)
-            if (shader ? (*at)->shader && ((*at)->shader == shader ||
-                                           (!shader->n_varyings && !shader->span &&
-                                            (*at)->shader->run == shader->run))
-                       : format && (*at)->format == format)
-                return *at;
-    return 0;
+        for (const struct zs_fast *const *at = r->config.fast; *at; at++) {
+            const struct zs_fast *const one = *at;
+            if (shader ? one->shader == shader : format && one->format == format)
+                return one;
+            if (shader && one->shader && !shader->n_varyings && !shader->span &&
+                one->shader->run == shader->run)
+                like = one;
+        }
+    return like;
 }
 
 /* Set the fields of job that depend on the instance. Return the accelerator's function that draws
