@@ -8,7 +8,7 @@
 . "$(dirname "$0")/../lib/cortexm.sh"
 
 LIMIT=${STACK_LIMIT:-$(most_here 2048)} # bytes, any public function, of a program without effects
-EFFECTS_LIMIT=${EFFECTS_STACK_LIMIT:-$(most_here 2696)} # ... with all of them, in any combination; most cannot happen
+EFFECTS_LIMIT=${EFFECTS_STACK_LIMIT:-$(most_here 2704)} # ... with all of them, in any combination; most cannot happen
 EXPLAIN_LIMIT=${EXPLAIN_STACK_LIMIT:-$(most_here 3456)} # zs_explain and its like, which draw a frame within
 PANEL_LIMIT=${PANEL_STACK_LIMIT:-$(most_here 288)} # bytes, any function of panel.h
 
