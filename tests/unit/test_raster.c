@@ -10,8 +10,10 @@
 #include "fast_lists.h"
 #include "oracle.h"
 #include "easel.h"
+#include "good.h"
 #include "grid.h"
 #include "internals.h"
+#include "picture.h"
 
 #define GUARD (8188 * 256)
 
@@ -961,8 +963,37 @@ static void others_division_by_a_tiny_area(void **state)
     print_message("tiny areas: %u of 0, %u of 2^-17 px^2, %u triangles with pixels\n", n_zero, n_one, drawn);
 }
 
+static int declines(struct zs_job *job)
+{
+    (void)job;
+    return 0;
+}
+
+/* The core draws what an accelerator declines, with the bias of its depth state, once. */
+static void a_biased_triangle_is_declined(void **state)
+{
+    static const struct zs_fast fast = { .shader = &zs_shade_flat, .rows = declines };
+    static const struct zs_fast *const list[] = { &fast, NULL };
+    static const struct zs_depth_state biased = { .bias = 50 };
+    struct good g = good_scene();
+    struct zs_instance in = g.instance;
+    in.material = &g.material;
+    g.scene.instance = &in;
+    g.config.fast = NULL;
+    struct picture plain = picture_draw(&g.config, &g.scene, &g.camera);
+    in.depth_state = &biased;
+    struct picture core = picture_draw(&g.config, &g.scene, &g.camera);
+    g.config.fast = list;
+    struct picture is = picture_draw(&g.config, &g.scene, &g.camera);
+    assert_true(picture_shows(&core, 100));
+    assert_true(picture_same(&core, &is, "declined"));
+    assert_false(memcmp(plain.key, core.key, 40 * 30 * sizeof *core.key) == 0);
+    PICTURES_FREE(&plain, &core, &is);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(triangles_drawn_by_hand),
+    cmocka_unit_test(a_biased_triangle_is_declined),
     cmocka_unit_test(coverage_and_keys_of_single_triangles),
     cmocka_unit_test(coverage_and_keys_in_big_frames),
     cmocka_unit_test(gradients_to_the_last_bit),

@@ -39,9 +39,10 @@ static inline struct zs_tri *zs_fast_reached(const struct zs_job *job, struct zs
     (ZS_V7M && !(job)->shader->n_varyings && !(job)->depth_state->slope_bias)
 
 /* Move the plane of the keys by the bias of a depth state, so that what draws without a state draws
- * the same. Return 0 if a key may be below 0 or saturate. A ball of 1,012 triangles with a bias
- * takes 35 % less on the M0 (1.87 to 1.23 million instructions; textured, 9 %); on the M3, with
- * what fast/solid_v7m.c does, 53 % (1.21 to 0.57). 130 bytes. */
+ * the same, and so do the core's rows if an accelerator declines then. Return 0 if a key may be
+ * below 0 or saturate. A ball of 1,012 triangles with a bias takes 35 % less on the M0 (1.87 to
+ * 1.23 million instructions; textured, 9 %); on the M3, with what fast/solid_v7m.c does, 53 % (1.21
+ * to 0.57). 130 bytes. */
 static ZS_RARE __attribute__((unused)) int zs_fast_moved(struct zs_job *job)
 {
     const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
@@ -51,6 +52,7 @@ static ZS_RARE __attribute__((unused)) int zs_fast_moved(struct zs_job *job)
     if (job->saturates || least + job->bias < 0 || most + job->bias >= limit)
         return 0;
     job->key.base += (uint32_t)job->bias << 16;
+    job->bias = 0;
     return 1;
 }
 
