@@ -219,8 +219,8 @@ struct zs_material {
 
 /* ---- Instances ---------------------------------------------------------------------------- */
 
-/* Where something stands: x_world = rot * (scale * x) + pos. All fields 0: at the origin, not
- * rotated, at the mesh's own scale. */
+/* Where something stands: x_world = rot * (s * x) + pos, where x is in mesh steps and s is
+ * mesh.scale * scale. All fields 0: at the origin, not rotated, at the mesh's own scale. */
 struct zs_pose {
     /* Row-major; all 0: no rotation. A rotation: products of its rows are within 2^-20 of 1 and 0,
      * it is right-handed; else ZS_ERR_RANGE. zs_math.h sets it, and turns it further: products that

@@ -34,6 +34,10 @@ extern const struct zs_depth zs_depth_float;
  * no effect; strips and targets have depth NULL. */
 extern const struct zs_depth zs_depth_none;
 
+/* The mappings with depth memory, for tables: X(name, any_camera). any_camera  1: orthographic
+ * cameras too; 0: perspective ones alone. */
+#define ZS_DEPTH_EACH(X) X(recip, 0) X(linear, 1) X(e3m13, 0) X(e4m12, 0) X(e5m11, 0) X(float, 0)
+
 struct zs_fast;
 struct zs_method;
 

@@ -72,7 +72,8 @@ struct zs_shader {
     /* The library's shaders that test depth in their own way, because they leave pixels out or
      * never write keys: takes the place of zs_rows_test (core/rows.h), with its arguments, under
      * the depth buffer, zs_method_hiz and zs_method_transparent. Other methods ignore it and call
-     * run. NULL: the usual test. A shader with a span has no accelerator, and .opaque 0. */
+     * run. NULL: the usual test. A shader with a span shares no accelerator with others; its
+     * .opaque is 0. */
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t step);
     /* Return ZS_OK, or the error with which zs_frame_begin refuses this instance. NULL: ZS_OK. */

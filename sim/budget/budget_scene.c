@@ -188,7 +188,7 @@ static void set_config(struct budget *b, const struct budget_request *rq, uint16
 
 static const struct zs_depth *mapping(const struct budget_request *rq)
 {
-    return rq->o.depth == SIM_DEPTH_RECIP ? &zs_depth_recip : rq->o.depth == SIM_DEPTH_LINEAR ? &zs_depth_linear :
+    return rq->o.depth == SIM_DEPTH_recip ? &zs_depth_recip : rq->o.depth == SIM_DEPTH_linear ? &zs_depth_linear :
         &zs_depth_float;
 }
 

@@ -82,7 +82,7 @@ static void set_config(struct job *job)
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;
     c->fast = o->fast.list;
-    c->depth = sim_depths[sim_depth_of(o, &job->view)];
+    c->depth = sim_depths[sim_depth_of(o, &job->view)].depth;
     sim_method_apply(c, &sim_methods[o->method]);
     if (sim_scene_method(&job->scene->scene) != NULL) {
         c->method = sim_scene_method(&job->scene->scene);

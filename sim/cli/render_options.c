@@ -9,6 +9,7 @@
 #include <strings.h>
 
 #include "frame.h"
+#include "framing.h"
 #include "line_style.h"
 #include "load_options.h"
 #include "method_names.h"
@@ -44,7 +45,7 @@ static const struct sim_option table[] = {
     { "Frame", SIM_OPTION_HEADING },
     { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, .help = "px (240x240)" },
     { "--strip", SIM_OPTION_COUNT, AT(strip), .value = "ROWS", .help = "rows to a strip, at least 1 (16)" },
-    { "--depth", SIM_OPTION_CHOICE, AT(depth), .words = "recip|linear|e3m13|e4m12|e5m11|float",
+    { "--depth", SIM_OPTION_CHOICE, AT(depth), .words = SIM_DEPTH_WORDS,
       .help = "mapping of depth keys (float: e3m13 while far <= 128 near, e4m12 while far <= 32768 near, else e5m11; "
               "orthographic views: linear)" },
     { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, .help = "bits of a depth key (16)" },
@@ -166,13 +167,9 @@ static int check_rest(const struct sim_options *o)
         return sim_refuse(file, 0, "--up 0,0,0 has no direction; try 0,1,0");
     if (o->light[0] == 0.0 && o->light[1] == 0.0 && o->light[2] == 0.0 && o->has_light)
         return sim_refuse(file, 0, "--light 0,0,0 has no direction");
-    if (o->projection == ZS_ORTHOGRAPHIC && o->depth != SIM_DEPTH_LINEAR && o->depth != SIM_DEPTH_DEFAULT)
+    if (o->projection == ZS_ORTHOGRAPHIC && o->depth != SIM_DEPTH_DEFAULT && !sim_depths[o->depth].any_camera)
         return sim_refuse(file, 0, "--depth %s: an orthographic view takes linear depth only",
-                          o->depth == SIM_DEPTH_RECIP   ? "recip"
-                          : o->depth == SIM_DEPTH_E3M13 ? "e3m13"
-                          : o->depth == SIM_DEPTH_E4M12 ? "e4m12"
-                          : o->depth == SIM_DEPTH_E5M11 ? "e5m11"
-                                                        : "float");
+                          sim_depths[o->depth].name);
     if (o->texture != NULL && !sim_options_textured(o) && o->shade != SIM_SHADE_DEFAULT)
         return sim_refuse(file, 0,
                           "--texture %s is not drawn without --shade textured, textured-flat or "

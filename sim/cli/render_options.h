@@ -23,14 +23,12 @@ enum sim_shade {
     SIM_SHADE_DEFAULT        /* by what the file holds: sim_scene_load chooses */
 };
 enum sim_depth {
-    SIM_DEPTH_RECIP,
-    SIM_DEPTH_LINEAR,
-    SIM_DEPTH_E3M13,
-    SIM_DEPTH_E4M12,
-    SIM_DEPTH_E5M11,
-    SIM_DEPTH_FLOAT,  /* the one of the three that far / near asks for: see sim_depth_of */
-    SIM_DEPTH_DEFAULT /* float; orthographic: linear */
+#define SIM_DEPTH_ONE(name_, ...) SIM_DEPTH_##name_,
+    ZS_DEPTH_EACH(SIM_DEPTH_ONE) /* float: the one of e3m13, e4m12, e5m11 that far / near asks for: see sim_depth_of */
+    SIM_DEPTH_DEFAULT            /* float; orthographic: linear */
 };
+#define SIM_DEPTH_WORD(name_, ...) "|" #name_
+#define SIM_DEPTH_WORDS (&("" ZS_DEPTH_EACH(SIM_DEPTH_WORD))[1]) /* in the order of the enum */
 enum sim_mesh {
     SIM_MESH_CONVERT, /* as `zsim convert` writes it */
     SIM_MESH_FILE     /* as the file has it, on a grid of 24 bits */

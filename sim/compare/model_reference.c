@@ -145,9 +145,9 @@ static void set_up(struct sim_model_reference *out, struct ref_light *light, con
     light->ambient = o->ambient;
     light->diffuse = o->diffuse;
     static const int mapping[] = {
-        [SIM_DEPTH_RECIP] = REF_DEPTH_RECIP, [SIM_DEPTH_LINEAR] = REF_DEPTH_LINEAR,
-        [SIM_DEPTH_E3M13] = REF_DEPTH_E3M13, [SIM_DEPTH_E4M12] = REF_DEPTH_E4M12,
-        [SIM_DEPTH_E5M11] = REF_DEPTH_E5M11,
+        [SIM_DEPTH_recip] = REF_DEPTH_RECIP, [SIM_DEPTH_linear] = REF_DEPTH_LINEAR,
+        [SIM_DEPTH_e3m13] = REF_DEPTH_E3M13, [SIM_DEPTH_e4m12] = REF_DEPTH_E4M12,
+        [SIM_DEPTH_e5m11] = REF_DEPTH_E5M11,
     };
     out->depth.mapping = mapping[sim_depth_of(o, view)];
     out->depth.bits = (int)o->depth_bits;

@@ -143,16 +143,17 @@ void sim_view_orbit(double eye[3], const struct sim_view *view, const double up[
 enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *view)
 {
     if (view->orthographic)
-        return SIM_DEPTH_LINEAR;
-    if (o->depth != SIM_DEPTH_FLOAT && o->depth != SIM_DEPTH_DEFAULT)
+        return SIM_DEPTH_linear;
+    if (o->depth != SIM_DEPTH_float && o->depth != SIM_DEPTH_DEFAULT)
         return o->depth;
     const double ratio = view->far_z / view->near_z; /* as zs_depth_float, but for the last bits of the bounds */
-    return ratio <= 128.0 ? SIM_DEPTH_E3M13 : ratio <= 32768.0 ? SIM_DEPTH_E4M12 : SIM_DEPTH_E5M11;
+    return ratio <= 128.0 ? SIM_DEPTH_e3m13 : ratio <= 32768.0 ? SIM_DEPTH_e4m12 : SIM_DEPTH_e5m11;
 }
 
-const struct zs_depth *const sim_depths[SIM_DEPTH_DEFAULT] = {
-    [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear, [SIM_DEPTH_E3M13] = &zs_depth_e3m13,
-    [SIM_DEPTH_E4M12] = &zs_depth_e4m12, [SIM_DEPTH_E5M11] = &zs_depth_e5m11,   [SIM_DEPTH_FLOAT] = &zs_depth_float,
+const struct sim_depth_mapping sim_depths[SIM_DEPTH_DEFAULT] = {
+#define ROW(name_, any_camera_) { .name = #name_, .depth = &zs_depth_##name_, .any_camera = any_camera_ },
+    ZS_DEPTH_EACH(ROW)
+#undef ROW
 };
 
 /* ---- Pools ----------------------------------------------------------------------------------------------------- */

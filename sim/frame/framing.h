@@ -51,7 +51,12 @@ struct sim_pools sim_pools_of(uint64_t n_tris, uint64_t n_verts, int clips);
 /* The mapping that is meant by the options for a view, one by name: never FLOAT or DEFAULT. */
 enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *view);
 
-/* The renderer's mappings; SIM_DEPTH_FLOAT is zs_depth_float, SIM_DEPTH_DEFAULT is none. */
-extern const struct zs_depth *const sim_depths[SIM_DEPTH_DEFAULT];
+/* The renderer's mappings with depth memory, by enum sim_depth; SIM_DEPTH_DEFAULT is none. */
+struct sim_depth_mapping {
+    const char *name;
+    const struct zs_depth *depth;
+    int any_camera; /* flag: orthographic views too */
+};
+extern const struct sim_depth_mapping sim_depths[SIM_DEPTH_DEFAULT];
 
 #endif

@@ -11,17 +11,12 @@
 
 static const char *depth_name(const struct zs_depth *depth)
 {
-    const struct {
-        const struct zs_depth *depth;
-        const char *name;
-    } names[] = { { &zs_depth_recip, "recip" },       { &zs_depth_linear, "linear" }, { &zs_depth_none, "none" },
-                  { &zs_depth_order, "order" },       { &zs_depth_e3m13, "e3m13" },   { &zs_depth_e4m12, "e4m12" },
-                  { &zs_depth_e5m11, "e5m11" } };
-    const int asked = web.chosen.depth, fits = asked == SIM_DEPTH_DEFAULT || asked == SIM_DEPTH_FLOAT;
-    const size_t n = fits && web.scene == NULL ? 4 : sizeof names / sizeof names[0]; /* float takes the one that fits */
-    for (size_t i = 0; i < n; i++)
-        if (names[i].depth == depth)
-            return names[i].name;
+    if (depth == &zs_depth_none || depth == &zs_depth_order) /* of methods without depth memory */
+        return depth == &zs_depth_none ? "none" : "order";
+    const int asked = web.chosen.depth, usual = asked == SIM_DEPTH_DEFAULT || asked == SIM_DEPTH_float;
+    for (size_t i = 0; i < SIM_DEPTH_DEFAULT; i++)
+        if (sim_depths[i].depth == depth && !(usual && web.scene == NULL && !sim_depths[i].any_camera)) /* float's */
+            return sim_depths[i].name;
     return "float";
 }
 

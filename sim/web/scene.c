@@ -61,7 +61,7 @@ void web_scene_config(struct zs_config *config, const struct demo *scene,
     config->subpixel_bits = (uint8_t)o->subpixel;
     config->depth_bits = (uint8_t)o->depth_bits;
     config->fast = o->fast.list;
-    config->depth = o->depth == SIM_DEPTH_DEFAULT ? scene->depth : sim_depths[o->depth];
+    config->depth = o->depth == SIM_DEPTH_DEFAULT ? scene->depth : sim_depths[o->depth].depth;
     sim_demo_method(config, scene, o->method);
 }
 

@@ -7,8 +7,8 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-CORE_MAX=${CORE_MAX:-4196}         # lines of code in core/ and the public headers; the goal is 4200
-ALL_MAX=${ALL_MAX:-12693}           # ... in all of firmware/zstrip; the goal is 7000
+CORE_MAX=${CORE_MAX:-4200}         # lines of code in core/ and the public headers; the goal is 4200
+ALL_MAX=${ALL_MAX:-12697}           # ... in all of firmware/zstrip; the goal is 7000
 EFFECTS_MAX=${EFFECTS_MAX:-4986}   # ... in effect/ and its public headers
 OVERLAYS_MAX=${OVERLAYS_MAX:-1385} # ... in overlay/ and its public headers
 EXPLAIN_MAX=${EXPLAIN_MAX:-2043}   # ... in support/explain* and zs_explain.h

@@ -18,8 +18,9 @@
 
 #define PASSES 4
 
-static const struct zs_depth *const mappings[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
-                                                   &zs_depth_e4m12, &zs_depth_e5m11, &zs_depth_float };
+#define ONE(name_, ...) &zs_depth_##name_,
+static const struct zs_depth *const mappings[] = { ZS_DEPTH_EACH(ONE) };
+#undef ONE
 
 /* Ample pools, no accelerators. */
 static struct zs_config plain_config(uint16_t w, uint16_t h, const struct zs_depth *depth)

@@ -62,8 +62,9 @@ static double fog_at(const struct zs_fog *fog, double z)
 
 /* ---- Every key ---------------------------------------------------------------------------------- */
 
-static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
-                                                 &zs_depth_e4m12, &zs_depth_e5m11,  &zs_depth_float };
+#define ONE(name_, ...) &zs_depth_##name_,
+static const struct zs_depth *const depths[] = { ZS_DEPTH_EACH(ONE) };
+#undef ONE
 
 static struct zs_camera camera_make(struct prng *p, struct mapping *m)
 {

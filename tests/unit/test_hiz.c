@@ -17,8 +17,9 @@
 #include "zs_method.h"
 
 static const struct zs_method *const methods[] = { &zs_method_hiz, &zs_method_hiz_corner, &zs_method_hiz_vertex };
-static const struct zs_depth *const mappings[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
-                                                   &zs_depth_e4m12, &zs_depth_e5m11,  &zs_depth_float };
+#define ONE(name_, ...) &zs_depth_##name_,
+static const struct zs_depth *const mappings[] = { ZS_DEPTH_EACH(ONE) };
+#undef ONE
 
 /* Any way to draw the same frame. */
 static void any_way(struct prng *p, struct zs_config *c)

@@ -138,7 +138,8 @@ struct zs_fast {
     enum zs_set_up (*set_up)(struct zs_job *job);
 #endif
 
-    /* Hooks for triangles of one shader. */
+    /* Hooks for triangles of one shader: the first accelerator in the list that names it is used.
+     * A shader without varyings that none names takes the last one whose shader has its `run`. */
     const struct zs_shader *shader;
     /* In place of set-up and rasterisation: draw job->tri in its strip. Called if the triangle has
      * no depth state (or zs_fast_moves holds), its keys may be linear, and no pixel of the strip is

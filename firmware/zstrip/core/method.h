@@ -14,7 +14,8 @@ struct zs_method {
     /* Called by zs_init: return ZS_OK, or the error with which r->config is refused. A method that
      * colours pixels in its own way sets r->span. NULL in zs_method_buffer alone. */
     int (*begin)(struct zs_renderer *r);
-    /* Bin if r->band_end says so (zs_walk), and draw strip r->strip. */
+    /* Bin if r->band_end says so (zs_walk), and draw strip r->strip. What a method keeps meanwhile
+     * is on the stack of this function; its other hooks find it at r->method_state. */
     void (*strip)(struct zs_renderer *r);
     /* Called in a walk when the band is one strip and a pool is full: make room for at least three
      * vertices and one triangle. */

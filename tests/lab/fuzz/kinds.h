@@ -38,8 +38,9 @@ struct kind_depth {
 };
 
 static const struct kind_depth kind_depths[] = {
-    { &zs_depth_recip, "recip", 0 }, { &zs_depth_linear, "linear", 1 }, { &zs_depth_e3m13, "e3m13", 0 },
-    { &zs_depth_e4m12, "e4m12", 0 }, { &zs_depth_e5m11, "e5m11", 0 }, { &zs_depth_float, "float", 0 },
+#define KIND(name_, any_camera_) { &zs_depth_##name_, #name_, any_camera_ },
+    ZS_DEPTH_EACH(KIND)
+#undef KIND
 };
 
 struct kind_method {

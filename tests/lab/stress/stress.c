@@ -58,12 +58,8 @@ static const char *const seen_name[] = {
     "states",
     "sky",
     "resolve",
-    "recip",
-    "linear",
-    "e3m13",
-    "e4m12",
-    "e5m11",
-    "float",
+#define NAME(name_, ...) #name_,
+    ZS_DEPTH_EACH(NAME)
     "raw",
     "flat",
     "smooth",
@@ -79,7 +75,6 @@ static const char *const seen_name[] = {
     "pal8a",
     "pal4a",
     "zbuffer",
-#define NAME(name_, ...) #name_,
     ZS_METHOD_EACH(NAME)
 #undef NAME
     "transparent",
