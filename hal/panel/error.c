@@ -8,7 +8,7 @@ const char *panel_strerror(int err)
 {
     switch (err) {
     case HAL_ERR_NONE: return "no error";
-    case HAL_ERR_STATE: return "the bus or the panel still has a transfer out";
+    case HAL_ERR_STATE: return "hal_init is missing, or a transfer is still out";
     case HAL_ERR_ARG: return "a pointer is NULL or odd, or the stride is too small or odd";
     case HAL_ERR_CHANGED: return "borrowed pixels were written to";
     case HAL_ERR_BUS: return "the bus failed";

@@ -74,7 +74,8 @@ static const struct panel_glass *glass_of(const struct panel_config *config)
     return NULL;
 }
 
-/* The glass's left top pixel in the controller's RAM, px; 0: it is not all in there. */
+/* The glass's left top pixel in the controller's RAM, px; 0: it is not all in there, or not shown. A strict type's
+ * set-up shows the rows of its table's glass: another y0 would only move what is written. */
 static int origin(const struct panel_config *config, int32_t *x, int32_t *y)
 {
     const struct panel_type *type = config->type;
@@ -82,7 +83,7 @@ static int origin(const struct panel_config *config, int32_t *x, int32_t *y)
     const int own = glass && !config->x0 && !config->y0;
     *x = own ? glass->x0 : config->x0;
     *y = own ? glass->y0 : config->y0;
-    return (glass || !type->strict) && config->width && config->height && *x >= 0 && *y >= 0 &&
+    return (!type->strict || (glass && *y == glass->y0)) && config->width && config->height && *x >= 0 && *y >= 0 &&
            (uint32_t)*x % type->grain.x == 0 && (uint32_t)*y % type->grain.y == 0 &&
            *x + config->width <= type->ram_width && *y + config->height <= type->ram_height;
 }
@@ -200,6 +201,7 @@ static int bring_up(struct panel *p)
     pause_ms(p, err ? 0 : type->reset_ms);
     err = err ? err : command(p, type->off, NULL, 0);
     err = err ? err : set_up(p);
+    err = err ? err : command(p, type->off, NULL, 0); /* the first may have been taken for an argument */
     err = err ? err : rouse(p);
     err = err ? err : clear(p);
     return err ? err : command(p, type->on, NULL, 0);

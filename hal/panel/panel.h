@@ -59,7 +59,8 @@ struct panel_config {
     const struct panel_type *type;
     uint16_t width, height; /* px of the glass at rotate 0 */
     int16_t x0, y0;         /* the glass's left top pixel, as the controller counts at rotate 0; both 0: the type's own
-                               table, or 0 where that has no glass of this size */
+                               table, or 0 where that has no glass of this size. SSD1351, SSD0323 and SSD1306
+                               show the rows of their table alone, and take no other y0 */
     uint8_t rotate;         /* 0 .. 3 quarter turns clockwise */
     uint8_t invert;         /* 1: send the controller's inversion command (most IPS glass needs it to look right) */
     uint8_t bgr;            /* 1: the glass has blue where the controller has red (most ILI9341 and GC9A01 modules) */
@@ -139,7 +140,8 @@ int panel_send(struct panel *panel, const struct panel_rect *rect, const uint8_t
 /* Wait until what panel_send began is out. Nothing is: HAL_ERR_NONE. Blocks for the rest. Return as the bus's wait. */
 int panel_wait(struct panel *panel);
 
-/* All of the following block for a few bytes on the wire, and hold the bus as long. Between send and wait:
+/* All of the following block for a few bytes on the wire (panel_rotate: for a picture's), and hold the bus as long;
+ * after a failure also for the set-up and for waking, 0.12 s more. Between send and wait:
  * HAL_ERR_STATE; asleep: PANEL_ERR_STATE. They keep on a later set-up, so that what the bus failed to tell the
  * panel is told with the next send. Only where the bus was not given (HAL_ERR_BUSY), or failed in the set-up after an
  * earlier failure, has nothing changed: call again. */
@@ -149,7 +151,7 @@ int panel_invert(struct panel *panel, uint8_t invert);
  * hal_backlight. HAL_ERR_NONE where the controller has no such command. */
 int panel_brightness(struct panel *panel, uint8_t level);
 
-/* Dark, little current; panel_send is refused. Blocks up to 0.12 s, so that panel_wake may follow at once. After a
+/* Dark, little current; panel_send is refused. Blocks up to 0.12 s, after a failure 0.24 s, so that panel_wake may follow at once. After a
  * failure, too, only panel_wake leads on; but after HAL_ERR_BUSY nothing has changed. */
 int panel_sleep(struct panel *panel);
 

@@ -650,6 +650,9 @@ static void bad_configurations(void **state)
         { { &panel_st7789, 135, 240, 0, -1 }, 0, PANEL_ERR_SIZE },
         { { &panel_gc9a01, 240, 320 }, 0, PANEL_ERR_SIZE },
         { { &panel_ssd1351, 128, 64 }, 0, PANEL_ERR_SIZE },
+        { { &panel_ssd1306, 128, 32, 0, 32 }, 0, PANEL_ERR_SIZE }, /* rows that the glass would not show */
+        { { &panel_ssd1306, 64, 48, 32, 8 }, 0, PANEL_ERR_SIZE },
+        { { &panel_ssd1351, 128, 96, 0, 32 }, 0, PANEL_ERR_SIZE },
         { { &panel_ssd1306, 128, 56 }, 4096, PANEL_ERR_SIZE },
         { { &panel_ssd1306, 64, 48, 32, 4 }, 4096, PANEL_ERR_SIZE },
         { { &panel_ssd0323, 128, 64, 0, 17 }, 4096, PANEL_ERR_SIZE },
