@@ -11,7 +11,9 @@
 #include "fast_lists.h"
 #include "picture.h"
 #include "shapes.h"
+#include "zs_blend.h"
 #include "zs_damage.h"
+#include "zs_method.h"
 
 #define W_MAX 90
 #define H_MAX 70
@@ -660,6 +662,70 @@ static int one_dot(uint64_t seed)
     return 1;
 }
 
+/* A row of 20 triangles of one depth, and two movers in two strips and other columns: a pool that is too small loses
+ * none of them where only columns are drawn. Walks for both strips bin what walks for one do not. */
+static int changed_columns(void *ctx, const struct zs_strip *s)
+{
+    uint16_t *const glass = ctx;
+    for (uint32_t k = 0; k < (uint32_t)s->h * s->dirty_w; k++) {
+        const uint32_t row = k / s->dirty_w, column = s->dirty_x + k % s->dirty_w;
+        memcpy(&glass[(s->y + row) * 64u + column], s->px + 2u * (row * 64u + column), 2);
+    }
+    return 0;
+}
+static void ties_beside_the_columns(void **state)
+{
+    static int16_t pos[60][3];
+    static uint16_t tri[20][3];
+    static struct zs_rgb rgb[20];
+    for (int i = 0; i < 20; i++) {
+        const int16_t corner[3][3] = { { (int16_t)(3 * i - 30), 1, 0 }, { (int16_t)(3 * i - 27), 1, 0 },
+                                       { (int16_t)(3 * i - 30), 7, 0 } };
+        memcpy(pos[3 * i], corner, sizeof corner);
+        for (int k = 0; k < 3; k++)
+            tri[i][k] = (uint16_t)(3 * i + k);
+        rgb[i] = (struct zs_rgb){ 255, (uint8_t)(12 * i), 128 };
+    }
+    static const int16_t corners[4][3] = { { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } };
+    static const uint16_t halves[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+    const struct zs_mesh row = { .pos = (const int16_t (*)[3])pos, .tri = (const uint16_t (*)[3])tri, .n_verts = 60,
+                                 .n_tris = 20, .radius = 40, .face_rgb = rgb };
+    const struct zs_mesh square = { .pos = corners, .tri = halves, .n_verts = 4, .n_tris = 2, .radius = 2 };
+    static const struct zs_blend glass = { .material = { .shader = &zs_blend_flat, .rgb = { 255, 255, 255 } },
+                                           .alpha = 128 };
+    static const struct zs_material solid = { .shader = &zs_shade_flat, .rgb = { 64, 255, 64 } };
+    struct zs_camera camera;
+    assert_int_equal(zs_camera_orthographic(&camera, 16, -10, 10), ZS_OK);
+    for (uint32_t k = 0; k < 2 * 37; k++) {
+        const int painter = k % 2 != 0;
+        const struct zs_config c = { .width = 64, .height = 16, .strip_h = 8, .max_tris = (uint16_t)(4 + k / 2),
+                                     .max_verts = 200, .depth = painter ? &zs_depth_none : &zs_depth_linear,
+                                     .method = painter ? &zs_method_painter : &zs_method_transparent };
+        struct zs_instance in[3] = { { .mesh = &row, .material = painter ? &solid : &glass.material },
+                                     { .mesh = &square, .material = &solid, .pose.pos = { 20, 4, -5 } },
+                                     { .mesh = &square, .material = &solid, .pose.pos = { -24, -4, -5 } } };
+        const struct zs_scene scene = { .instance = in, .n_instances = 3 };
+        static struct zs_renderer r;
+        static uint32_t arena[8000], memory[200];
+        static uint16_t ours[64 * 16], whole[64 * 16];
+        const struct zs_sink panel = { .submit = changed_columns, .ctx = ours },
+                             all = { .submit = changed_columns, .ctx = whole };
+        assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+        assert_int_equal(zs_damage_track(&r, memory, 3), ZS_OK);
+        assert_int_equal(zs_damage_columns(&r, 1), ZS_OK);
+        assert_int_equal(zs_render(&r, &scene, &camera, &panel), ZS_OK);
+        in[1].pose.pos[0] = 22;
+        in[2].pose.pos[0] = -22;
+        assert_int_equal(zs_render(&r, &scene, &camera, &panel), ZS_OK);
+        assert_true(zs_frame_stats(&r)->pixels_written < 64 * 16 / 2); /* columns alone */
+        assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+        assert_int_equal(zs_render(&r, &scene, &camera, &all), ZS_OK);
+        if (memcmp(ours, whole, sizeof whole) != 0)
+            fail_msg("%s, %u triangles: another picture than a full frame's", painter ? "painter" : "transparent",
+                     c.max_tris);
+    }
+}
+
 /* ---- What it saves ------------------------------------------------------------------------------------ */
 
 static uint32_t binned[2][2]; /* triangles, of whole frames and of those with one mover, by strips and by columns */
@@ -879,6 +945,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_shared_mesh_hides_no_material),
     CASES_TEST(a_sphere_wherever_it_is, one_sphere, 200),
     CASES_COUNT(a_vertex_rounded_beyond_its_sphere_is_drawn, one_dot, 150, &dots, 50, "frames with a dot"),
+    cmocka_unit_test(ties_beside_the_columns),
     cmocka_unit_test(one_moving_thing_draws_its_own_strips),
     cmocka_unit_test(a_still_scene_draws_nothing),
     cmocka_unit_test(invalidated_in_a_frame),

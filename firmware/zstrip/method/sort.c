@@ -58,10 +58,21 @@ void zs_sort_pack(struct zs_renderer *r)
 
 /* ---- The farthest triangles, in bounded memory ----------------------------------------------- */
 
+/* Return 1 if triangle t is beside the columns that are drawn (zs_damage_columns). The walk for
+ * all dirty strips bins it, for another strip's columns, and a walk for this strip does not: it
+ * must not count among ties. */
+static int beside(const struct zs_renderer *r, uint32_t t)
+{
+    const uint16_t *v = r->tri[t].v;
+    const int32_t a = r->vert[v[0]].x, b = r->vert[v[1]].x, c = r->vert[v[2]].x;
+    return zs_first_sample(zs_min32(zs_min32(a, b), c)) >= r->window[1] ||
+           zs_first_sample(zs_max32(zs_max32(a, b), c)) <= r->window[0];
+}
+
 int zs_farthest_belongs(const struct zs_renderer *r, struct zs_farthest *f, uint32_t t)
 {
     const uint32_t d = zs_sort_farthest(r, t);
-    if (f->dropped && d <= f->near)
+    if ((f->dropped && d <= f->near) || beside(r, t))
         return 0;
     if (!f->again || d < f->d)
         return 1;

@@ -43,7 +43,8 @@ struct zs_farthest {
     uint8_t dropped;  /* 1: this walk has dropped triangles */
 };
 
-/* Return 1 if triangle t of the pool is neither drawn yet nor left to a later walk. To be called
+/* Return 1 if triangle t of the pool reaches the columns that are drawn, and is neither drawn yet
+ * nor left to a later walk. To be called
  * once for each triangle, in pool order. */
 int zs_farthest_belongs(const struct zs_renderer *r, struct zs_farthest *f, uint32_t t);
 /* All triangles of the pool belong to this walk: drop the nearest, until a quarter of both pools is
