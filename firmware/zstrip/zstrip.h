@@ -13,7 +13,7 @@
  *     zs_lights.h  several coloured lights, highlights, light at each pixel
  *     zs_blend.h   transparency            zs_filter.h  filters, mipmaps, cut-outs
  *     zs_shadow.h  shadows                 zs_environment.h  mirrors, skies, environment maps
- *     zs_supersample.h  four samples a pixel
+ *     zs_lines.h   lines, edges and points  zs_supersample.h  four samples a pixel
  *     zs_check.h   check meshes and textures that cannot be trusted
  *     zs_explain.h what is wrong with a black, dark or slow picture, in sentences
  *     zs_overlay.h sprites, text, lines, bars and dials over the picture
@@ -50,8 +50,8 @@
  * Promise   the frame is a function of scene, camera and profile (frame size, sub-pixel bits, depth
  *           mapping and bits). Strip height, pool sizes, buffers, accelerators, compiler and
  *           machine do not change a bit of it.
- * Not here  shadow maps of point lights, non-uniform or negative scale, more than one thread in one
- *           renderer.
+ * Not here  shadow maps all around a point light, non-uniform or negative scale, more than one
+ *           thread in one renderer.
  *
  * A renderer holds no global state: two renderers can be used side by side. While a function works
  * on a renderer, no interrupt may call another one for it.

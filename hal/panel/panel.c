@@ -201,8 +201,8 @@ static int bring_up(struct panel *p)
     pause_ms(p, err ? 0 : type->reset_ms);
     err = err ? err : command(p, type->off, NULL, 0);
     err = err ? err : set_up(p);
-    err = err ? err : command(p, type->off, NULL, 0); /* the first may have been taken for an argument */
     err = err ? err : rouse(p);
+    err = err ? err : command(p, type->off, NULL, 0); /* the first may have been taken for an argument */
     err = err ? err : clear(p);
     return err ? err : command(p, type->on, NULL, 0);
 }

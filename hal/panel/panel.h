@@ -151,8 +151,8 @@ int panel_invert(struct panel *panel, uint8_t invert);
  * hal_backlight. HAL_ERR_NONE where the controller has no such command. */
 int panel_brightness(struct panel *panel, uint8_t level);
 
-/* Dark, little current; panel_send is refused. Blocks up to 0.12 s, after a failure 0.24 s, so that panel_wake may follow at once. After a
- * failure, too, only panel_wake leads on; but after HAL_ERR_BUSY nothing has changed. */
+/* Dark, little current; panel_send is refused. Blocks up to 0.12 s, after a failure 0.24 s, so that panel_wake may
+ * follow at once. After a failure, too, only panel_wake leads on; but after HAL_ERR_BUSY nothing has changed. */
 int panel_sleep(struct panel *panel);
 
 /* On again. Blocks up to 0.12 s. What was sent before sleep may be gone: send all again. After a failure the panel

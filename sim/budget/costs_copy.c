@@ -129,6 +129,12 @@ void sim_look_copy(struct zs_instance *in, struct thing *t, const struct zs_fast
     sim_shader_made(&made, in->material->shader);
     memcpy(&t->as, in->material, sim_shader_material_bytes(made.row != NULL ? made.row->material : SIM_MATERIAL_PLAIN));
     copy_shader(&t->shader, in->material->shader, texture);
+    if (made.row == NULL) { /* its stages get all of its material */
+        t->shader.whole = in->material;
+        t->shader.shader.check = NULL; /* the frame was drawn before */
+        if (t->shader.of->position != NULL)
+            t->shader.shader.position = sim_look_shader.position;
+    }
     t->shader.shines = is_lit(in->material->shader) && t->as.lit.shine;
     t->as.material.shader = &t->shader.shader;
     in->material = &t->as.material;

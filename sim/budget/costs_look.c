@@ -30,13 +30,32 @@ static const struct zs_renderer *renderer_of(const struct zs_shading *s)
     return (const struct zs_renderer *)(const void *)((const char *)s - offsetof(struct zs_renderer, shading));
 }
 
+/* Let a program's own stages see their own material, and ours again. */
+static void whole(const struct zs_instance *in, const struct zs_material *m)
+{
+    if (m != NULL)
+        ((struct zs_instance *)(uintptr_t)in)->material = m;
+}
+
 static void on_vertex(const struct zs_shading *shading, uint32_t v, uint16_t *out)
 {
     struct our_shader *s = sim_shader_of(shading->instance->material->shader);
     sim_now.n[s->vertex]++;
     sim_now.n[SIM_COST_lit_shine] += s->vertex == SIM_COST_lit_vertex && s->shines;
     s->work.vertices++;
+    const struct zs_material *const ours = shading->instance->material;
+    whole(shading->instance, s->whole);
     s->of->vertex(shading, v, out);
+    whole(shading->instance, ours);
+}
+
+static void on_position(const struct zs_shading *shading, uint32_t v, int16_t out[3])
+{
+    const struct zs_material *const ours = shading->instance->material;
+    const struct our_shader *s = sim_shader_of(ours->shader);
+    whole(shading->instance, s->whole);
+    s->of->position(shading, v, out);
+    whole(shading->instance, ours);
 }
 
 /* Strips all of whose rows lie in [row, end). */
@@ -114,7 +133,11 @@ static uint16_t on_face(const struct zs_shading *shading, uint32_t t)
         sim_now.n[SIM_COST_face_flat_given]++;
     else if (s->face != SIM_COST_N)
         sim_now.n[s->face]++;
-    return s->of->face ? s->of->face(shading, t) : 0u;
+    const struct zs_material *const ours = shading->instance->material;
+    whole(shading->instance, s->whole);
+    const uint16_t paint = s->of->face ? s->of->face(shading, t) : 0u;
+    whole(shading->instance, ours);
+    return paint;
 }
 
 static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
@@ -317,7 +340,11 @@ void sim_look_run(struct zs_job *job, const struct zs_row *row, int32_t from, in
     sim_now.job = job;
     sim_now.own = job->shader;
     sim_look_as(job, s);
+    const struct zs_instance *const in = zs_instance_of(job->r, job->tri->instance);
+    const struct zs_material *const ours = in->material;
+    whole(in, s->whole);
     s->of->run(job, row, from, to);
+    whole(in, ours);
     job->shader = &s->shader;
     sim_now.job = NULL;
 }
@@ -491,7 +518,7 @@ static void on_small_lit(struct zs_job *job, const struct zs_texture *t, struct 
 }
 
 const struct zs_shader sim_look_shader = { .vertex = on_vertex, .face = on_face, .start = on_start, .run = on_run,
-                                           .light = on_light };
+                                           .light = on_light, .position = on_position };
 const struct zs_texel sim_look_texel = { .fetch = on_fetch };
 const struct zs_fast sim_look_fast = { .draw = on_draw, .rows = on_rows, .span = on_span };
 const struct zs_fast_texel sim_look_fast_texel = { .gather = on_gather, .small_lit = on_small_lit };

@@ -33,6 +33,7 @@ struct our_shader {
     int lit;    /* flag: its material has lamps */
     int effect; /* flag: what the stages do not know; drawn in the general way, and its work counted */
     int begins; /* flag: how its runs begin is in what its vertices take */
+    const struct zs_material *whole; /* a program's own shader's material: it may be longer than what is copied */
     int own;    /* flag: leaves pixels out, and takes as long for them */
     struct sim_effect_work work;
     struct sim_shader_made made; /* what it is made of */

@@ -20,6 +20,7 @@
 #include "output_file.h"
 #include "panel_frame.h"
 #include "scenes.h"
+#include "shader_table.h"
 #include "sim.h"
 
 #define SHEET_COLUMNS 4
@@ -123,6 +124,17 @@ static int save(const struct sim_picture *seen, const struct sim_demo_request *r
     return sim_picture_save(seen, png, rq->raw ? raw : NULL);
 }
 
+/* Is there a shader that the reference does not know: an effect, or one of the scene's own? */
+static int has_effects(const struct zs_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+        const struct sim_shader_row *const row = sim_shader_row_of(scene->instance[i].material->shader);
+        if (row == NULL || row->effect != NULL)
+            return 1;
+    }
+    return 0;
+}
+
 /* Frame t into its files, the table's sums and the sheet. */
 static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_config *config,
                       const struct sim_demo_request *rq, struct sim_panel_frame *panel, struct sim_demo_tally *sum,
@@ -142,7 +154,8 @@ static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_confi
         sum->passes_max = frame.stats.passes;
     if (!err)
         err = save(&seen, rq, demo->name, t);
-    if (!err && !sim_demo_piece(demo)) /* the reference knows no effects */
+    sum->not_compared |= sim_demo_piece(demo) != NULL || has_effects(&f.scene);
+    if (!err && !sum->not_compared)
         err = sim_demo_compare(sum, &f, demo, config, &frame);
     sim_picture_free(&seen);
     sim_frame_free(&frame);

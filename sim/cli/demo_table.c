@@ -71,7 +71,7 @@ void sim_demo_table_row(const struct demo *demo, const struct sim_demo_tally *t)
            s->tris_in, s->tris_drawn, s->tris_frustum, s->tris_near, s->tris_far, s->tris_offscreen,
            s->tris_facing, s->tris_zero, s->tris_empty, s->pixels_tested, s->pixels_written,
            t->arena, t->passes_max, t->frames);
-    if (sim_demo_piece(demo)) {
+    if (t->not_compared) {
         printf(" %7s %7s %7s %6s %7s\n", "-", "-", "-", "-", "-");
         return;
     }

@@ -17,6 +17,7 @@ struct sim_demo_tally {
     struct ref_diff diff; /* counts summed, worst values kept */
     uint64_t off_by_one;
     double z_sum;
+    int not_compared; /* flag: effects, or a shader of its own: the reference knows neither */
 };
 
 /* Add how far a frame is from the reference. SIM_OK; SIM_REFUSED, said why. */

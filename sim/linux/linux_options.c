@@ -40,8 +40,8 @@ static const struct sim_option table[] = {
     { "--reset", SIM_OPTION_TEXT, AT(reset), .value = "LINE", .help = "" },
     { "--backlight", SIM_OPTION_TEXT, AT(backlight), .value = "LINE",
       .help = "outputs: a line's name, or CHIP:LINE, where CHIP is a number, gpiochip0, a path or a chip's label. D/C "
-              "is needed; without RESET st7789 and ili9341 get a command in its place, and others keep what the set-up does "
-              "not set" },
+              "is needed; without RESET st7789 and ili9341 get a command in its place, and others keep what the set-up "
+              "does not set" },
     { "--te", SIM_OPTION_TEXT, AT(te), .value = "LINE",
       .help = "input: each frame begins with its next rising edge. When none comes for a second, frames are drawn "
               "without it from then on" },

@@ -7,13 +7,13 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-CORE_MAX=${CORE_MAX:-4200}         # lines of code in core/ and the public headers; the goal is 4200
-ALL_MAX=${ALL_MAX:-12697}           # ... in all of firmware/zstrip; the goal is 7000
+CORE_MAX=${CORE_MAX:-4197}         # lines of code in core/ and the public headers; the goal is 4200
+ALL_MAX=${ALL_MAX:-12694}           # ... in all of firmware/zstrip; the goal is 7000
 EFFECTS_MAX=${EFFECTS_MAX:-4986}   # ... in effect/ and its public headers
 OVERLAYS_MAX=${OVERLAYS_MAX:-1385} # ... in overlay/ and its public headers
 EXPLAIN_MAX=${EXPLAIN_MAX:-2043}   # ... in support/explain* and zs_explain.h
 METHODS_MAX=${METHODS_MAX:-2200}   # ... in method/ and its public headers
-DEPTHSORT_MAX=${DEPTHSORT_MAX:-786} # ... of depth sort; the goal is 600
+DEPTHSORT_MAX=${DEPTHSORT_MAX:-749} # ... of depth sort; the goal is 600
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/
 FILE_MAX=${FILE_MAX:-450}     # lines of a file
 FUNCTION_MAX=${FUNCTION_MAX:-60}   # lines of code of a function, from { to }

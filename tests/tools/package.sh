@@ -155,6 +155,7 @@ cat >idf/CMakeLists.txt <<END
 cmake_minimum_required(VERSION 3.14)
 project(idf C)
 set(ESP_PLATFORM 1)
+set(COMPONENT_LIB component)
 function(idf_component_register)
   cmake_parse_arguments(of "" "" "SRCS;INCLUDE_DIRS" \${ARGN})
   list(TRANSFORM of_INCLUDE_DIRS PREPEND "\${CMAKE_CURRENT_LIST_DIR}/")
@@ -166,7 +167,18 @@ add_executable(consumer ../run_none.c ../spinning_cube.c ../stub.c)
 target_include_directories(consumer PRIVATE .. ../stubs)
 target_link_libraries(consumer component)
 END
-built package_esp_idf_component idf
+built package_esp_idf_component idf -DZSTRIP_VARYINGS_MAX=5
+grep -rqs -- '-DZS_VARYINGS_MAX=5' idf/build && ok package_esp_idf_has_varyings ||
+    bad package_esp_idf_has_varyings 'ZSTRIP_VARYINGS_MAX=5 does nothing'
+# For a part without an operating system nothing is position-independent: there is no place for the table that needs
+cmake -S "$zs" -B bare -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_C_FLAGS='-mcpu=cortex-m33 -mthumb' -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >bare.log 2>&1 &&
+    mkdir -p bare/CMakeFiles/zstrip.dir/src/fast && (cd bare &&
+        sh -c "$(sed -n 's/^ *"command": "\(.*texture_v7m.c\)",*$/\1/p' compile_commands.json)") >bare.log 2>&1 &&
+    : >bare.log
+grep -q -- -fPIC bare/compile_commands.json && echo 'position-independent' >>bare.log
+verdict package_cmake_for_a_microcontroller bare.log
 cat >pico/CMakeLists.txt <<END
 cmake_minimum_required(VERSION 3.14)
 project(pico C)

@@ -272,18 +272,6 @@ static void job_begin(struct zs_job *job, struct zs_renderer *r)
     job->key.base = job->key.gx = job->key.gy = 0; /* for a pass without depth memory */
 }
 
-/* Draw job->tri, of which no accelerator has drawn the whole. tried: one has tried its set-up in
- * vain. Sets job->tri_end. */
-ZS_ALWAYS_INLINE void draw_tri(struct zs_job *job, int tried, int windowed)
-{
-    const struct zs_renderer *r = job->r;
-    if (windowed && !ZS_IF_FAST(r->untouched))
-        job->split = r->track->reaches(job) ? ZS_SPLIT_WINDOW : 0;
-    const enum zs_set_up done = tried ? ZS_SET_UP_NOT : zs_fast_setup(job);
-    if (done != ZS_SET_UP_NONE && (done || job_setup(job)))
-        draw(job, done || key_plane(job));
-}
-
 void zs_raster_strip(struct zs_renderer *r)
 {
     int goes_on = r->strip + 1 < r->band_end;
@@ -318,8 +306,14 @@ void zs_raster_strip(struct zs_renderer *r)
             if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
                 number = ZS_NIL; /* first touch has ended: call job_instance again, which may now
                                     return a function for small triangles */
-            if (!ZS_IF_FAST(whole) || !whole(&job))
-                draw_tri(&job, whole && zs_fast_tried(&job), windowed);
+            if (!ZS_IF_FAST(whole) || !whole(&job)) {
+                if (windowed && !ZS_IF_FAST(r->untouched))
+                    job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
+                const enum zs_set_up done = whole && zs_fast_tried(&job) ? ZS_SET_UP_NOT
+                                                                         : zs_fast_setup(&job);
+                if (done != ZS_SET_UP_NONE && (done || job_setup(&job)))
+                    draw(&job, done || key_plane(&job));
+            }
         }
         t = zs_fast_reached(&job, t, &list); /* one that was declined as well */
         if (goes_on && job.tri_end > job.y1) { /* set by what has drawn, declined or hidden it */
