@@ -861,6 +861,7 @@ static void bad_lights_are_refused(void **state)
     AGAIN(l.lamp[0].strength = 4 * ZS_Q16_ONE + 1, ZS_ERR_RANGE);
     AGAIN(l.lamp[0].pos[1] = ZS_WORLD_MAX, ZS_OK);
     AGAIN(l.lamp[0].pos[1] = ZS_WORLD_MAX + 1, ZS_ERR_RANGE);
+    AGAIN(l.lamp[0].pos[0] = -ZS_WORLD_MAX - 1, ZS_ERR_RANGE);
     AGAIN(l.lamp[0].pos[2] = INT32_MIN, ZS_ERR_RANGE);
     AGAIN(l.lamp[0].range = (1u << 30) + 1, ZS_ERR_RANGE);
     AGAIN(l.lamp[0].half = (1u << 30) + 1, ZS_ERR_RANGE);
