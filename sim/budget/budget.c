@@ -286,7 +286,9 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
 
 static void print_left(const struct budget_part *p, const struct budget_totals *t)
 {
-    if (p->ram)
+    if (p->ram && isnan(t->flash))
+        printf(" %9.0f %9s", p->ram - t->ram, "-");
+    else if (p->ram)
         printf(" %9.0f %9.0f", p->ram - t->ram, p->flash - t->flash);
     else /* of --core */
         printf(" %9s %9s", "-", "-");
@@ -298,6 +300,7 @@ static void print_parts(const struct budget_request *rq, const struct budget *b,
     const struct target to = target_of(rq);
     const struct budget_part own = { .name = "--core", .core = to.core, .mhz = to.mhz };
     struct budget_totals t;
+    int unknown = 0;
     printf("\n%-12s %-8s %5s %9s %9s %8s %8s %8s %8s   left of it; frames a second with one buffer and two\n", "part",
            "core", "MHz", "RAM", "flash", "draw ms", "wire ms", "1 buffer", "2");
     for (uint32_t i = 0; i <= n_budget_parts; i++) {
@@ -313,12 +316,16 @@ static void print_parts(const struct budget_request *rq, const struct budget *b,
             t.ram = elf[1];
         }
         print_left(p, &t);
-        const char *const too = p->ram && (t.ram > p->ram || t.flash > p->flash) ? "   too small" : "";
+        unknown |= isnan(t.flash) && p->ram;
+        const double least = isnan(t.flash) ? b->flash[BUDGET_M3].total + (double)rq->app_flash : t.flash;
+        const char *const too = p->ram && (t.ram > p->ram || least > p->flash) ? "   too small" : "";
         if (isnan(t.draw_ms))
             printf(" %8s %8.1f %8s %8s%s\n", "-", wire, "-", "-", too);
         else
             printf(" %8.1f %8.1f %8.1f %8.1f%s\n", t.draw_ms, wire, t.fps_single, t.fps_double, too);
     }
+    if (unknown)
+        printf("-: " BUDGET_UNKNOWN_BYTES "; what is left of their RAM is with the Cortex-M3's stack.\n");
     printf("Cycles: the RP2040's as the emulator counts them, which M0 takes too; else instructions times\n"
            "%s: M3 and M4 %g, M7 %g, rv32imc %g. Flash without wait states. With two buffers\n"
            "a strip is drawn while the one before is on the wire, which waits for slow strips.%s\n",
@@ -359,10 +366,12 @@ static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct 
         t.flash = elf[0];
         t.ram = elf[1];
     }
-    figure[n++] = (struct budget_figure){ "ram", t.ram, 0, NULL };
+    const char *const core = budget_bytes_known(to.core) ? NULL : "a Cortex-M: " BUDGET_UNKNOWN_BYTES;
+    const char *const sum = core == NULL || rq->elf ? NULL : "an --elf: " BUDGET_UNKNOWN_BYTES;
+    figure[n++] = (struct budget_figure){ "ram", t.ram, 0, sum };
     figure[n++] = (struct budget_figure){ "arena", b->ram.arena, 0, NULL };
-    figure[n++] = (struct budget_figure){ "stack", b->ram.stack[cpu], 0, NULL };
-    figure[n++] = (struct budget_figure){ "flash", t.flash, 0, NULL };
+    figure[n++] = (struct budget_figure){ "stack", b->ram.stack[cpu], 0, core };
+    figure[n++] = (struct budget_figure){ "flash", t.flash, 0, sum };
     figure[n++] = (struct budget_figure){ "wire_ms", b->wire.ms, 0, b->has_wire ? NULL : "a --panel" };
     const char *const clock = to.mhz > 0.0 ? NULL : "a clock: give --part, or --core and --mhz";
     const char *const time = clock || !isnan(t.draw_ms) ? clock
@@ -370,7 +379,7 @@ static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct 
                                                   : "more than numbers with this method: give --scene or a model";
     const char *const strip = time || b->counted.worst[to.core] > 0.0 ? time
                               : "a frame that is counted: give --scene or a model";
-    const char *const part = to.part ? NULL : "a --part";
+    const char *const part = to.part ? sum : "a --part";
     const double worst = clock ? 0.0 : b->counted.worst[to.core] * budget_cpi(rq, to.core) / (to.mhz * 1e3);
     figure[n++] = (struct budget_figure){ "draw_ms", t.draw_ms, 0, time };
     figure[n++] = (struct budget_figure){ "strip_ms", worst, 0, strip };
@@ -404,7 +413,9 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
     const size_t n = figures_of(figure, rq, b, elf);
     puts("figure,value,unit");
     for (size_t i = 0; i < sizeof bytes / sizeof bytes[0]; i++)
-        printf("%s,%u,bytes\n", bytes[i].key, bytes[i].value);
+        if (budget_bytes_known(to.core) || strncmp(bytes[i].key, "flash_", 6) != 0 ||
+            strcmp(bytes[i].key, "flash_data") == 0)
+            printf("%s,%u,bytes\n", bytes[i].key, bytes[i].value);
     for (size_t i = 0; i < n; i++) {
         if (figure[i].needs)
             continue;

@@ -96,6 +96,10 @@ struct budget {
 };
 
 enum budget_cpu budget_cpu_of(enum sim_core core);
+/* Are flash and stack of a core on record? Not of RISC-V, which takes more flash than the Cortex-M3; in the sums of its
+ * RAM that one's stack stands in. */
+int budget_bytes_known(enum sim_core core);
+#define BUDGET_UNKNOWN_BYTES "flash and stack of RISC-V parts are not known"
 
 /* Pools and statics of b->config. */
 void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const struct zs_config *config,
@@ -140,7 +144,7 @@ double budget_cpi(const struct budget_request *rq, enum sim_core core);
  * without a panel. part NULL: no part's limit. */
 double budget_wire_ms(const struct budget_request *rq, const struct budget *b, const struct budget_part *part);
 
-/* A core at a clock, 0: not known, with so long a wire. NAN: not known. */
+/* A core at a clock, 0: not known, with so long a wire. NAN: not known, such as the flash of RISC-V. */
 struct budget_totals {
     double ram, flash, draw_ms, frame_ms, fps, fps_single, fps_double; /* the last two with one buffer and two */
 };

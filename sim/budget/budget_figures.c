@@ -17,6 +17,11 @@ enum budget_cpu budget_cpu_of(enum sim_core core)
     return core == SIM_CORE_M0 || core == SIM_CORE_RP2040 ? BUDGET_M0 : BUDGET_M3;
 }
 
+int budget_bytes_known(enum sim_core core)
+{
+    return core != SIM_CORE_RV32;
+}
+
 void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const struct zs_config *c,
                 uint32_t n_instances)
 {

@@ -160,6 +160,8 @@ int budget_fit(const struct budget_request *rq, const struct budget *b)
                most ? verts_for(b, most) : 0L);
     else {
         printf("%s: %u bytes of RAM, %ld of them for the rest of the program\n", part->text, part->ram, rq->app_ram);
+        if (!budget_bytes_known(part->core))
+            printf("  " BUDGET_UNKNOWN_BYTES ": the Cortex-M3's stack stands in\n");
         if (most_rows)
             printf("  %ld triangles and %ld vertices fit in strips of up to %ld rows; %.0f bytes are left then\n",
                    tris, verts,

@@ -69,7 +69,7 @@ void budget_totals(struct budget_totals *t, const struct budget_request *rq, con
 {
     const enum budget_cpu cpu = budget_cpu_of(core);
     t->ram = budget_ram_on(&b->ram, core) + (double)rq->app_ram;
-    t->flash = b->flash[cpu].total + (double)rq->app_flash;
+    t->flash = budget_bytes_known(core) ? b->flash[cpu].total + (double)rq->app_flash : (double)NAN;
     t->draw_ms = mhz > 0.0 ? budget_cycles(rq, b, core) / (mhz * 1e3) : (double)NAN;
     t->fps_single = 1e3 / (t->draw_ms + wire);
     t->fps_double = isnan(t->draw_ms) ? (double)NAN : 1e3 / two_buffers_ms(rq, b, core, mhz, wire);

@@ -364,10 +364,10 @@ export class Engine {
         return error ? {...ram, error} : ram;
     }
 
-    /** What a frame takes on each part that zsim budget knows. fps: null where it is not known; why says so. fpsError:
-     * a share: as far off as estimates of demo scenes are, which the estimate was not fitted to.
+    /** What a frame takes on each part that zsim budget knows. fps, flashUsed: null where not known; why says so of
+     * fps. fpsError: a share: as far off as estimates of demo scenes are, which the estimate was not fitted to.
      * @returns {{name: string, text: string, core: string, mhz: number, ramBytes: number, flashBytes: number,
-     *            ramUsed: number, flashUsed: number, ramFits: boolean, flashFits: boolean, drawMs: ?number,
+     *            ramUsed: number, flashUsed: ?number, ramFits: boolean, flashFits: boolean, drawMs: ?number,
      *            wireMs: number, fps: ?number, fpsError: number, limit: 'drawing'|'wire', why?: string}[]} */
     parts() { return this.#figures().parts; }
 

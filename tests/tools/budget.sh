@@ -441,6 +441,35 @@ one_line 1 'limits:1: strip_ms needs a frame that is counted: give --scene or a 
 limits 'fps = 3'
 z budget --method painter --part rp2040 --check limits
 one_line 1 'limits:1: fps needs more than numbers with this method: give --scene or a model'
+for one in ram flash ram_left flash_left; do
+    begin "limits_of_risc_v_$one"
+    for part in esp32-c3 gd32vf103; do
+        limits "$one = 0"
+        z budget --strip 4 --tris 9 --verts 27 --part $part --check limits
+        one_line 1 "limits:1: $one needs an --elf: flash and stack of RISC-V parts are not known"
+    done
+done
+begin limits_of_risc_v_stack
+limits 'stack = 9999'
+z budget --core rv32imc --check limits
+one_line 1 'limits:1: stack needs a Cortex-M: flash and stack of RISC-V parts are not known'
+begin risc_v_has_no_figures_of_a_cortex_m
+for one in '--part esp32-c3' '--core rv32imc'; do
+    # shellcheck disable=SC2086
+    budget $one --strip 4 --tris 9 --verts 27 --csv
+    is "$one" "$(cut -d, -f1 stdout | grep -xE 'ram.*|stack|flash.*' | tr '\n' ' ')" 'flash_data '
+done
+not_known='^-: flash and stack of RISC-V parts are not known; .* with the Cortex-M3.s stack[.]$'
+for one in '' '--part gd32vf103'; do
+    # shellcheck disable=SC2086
+    budget $one
+    is "flash left" "$(awk '$1 == "gd32vf103" { print $5 }' stdout)" -
+    is "it is said" "$(grep -c "$not_known" stdout)" 1
+done
+budget --part stm32f405
+is "of a Cortex-M nothing is said" "$(grep -c 'RISC-V' stdout)" 0
+budget --fit gd32vf103 --strip 4
+is "it is said of what fits" "$(grep -c 'RISC-V parts are not known: the Cortex-M3.s stack stands in$' stdout)" 1
 not_limits not_a_number 'limits:1: a limit reads name = number' 'ram = much'
 for endless in inf nan -inf infinity; do
     not_limits "of_$endless" 'limits:1: a limit reads name = number' "ram = $endless"
@@ -467,6 +496,12 @@ one_line 1 'tiny.o: --elf: no linked program'
 limits 'ram = 4399' # 4,400 are taken
 z budget --elf tiny.elf --check limits
 [ $status -eq 1 ] || wrong "status $status: a build beyond its limit passes"
+limits 'ram = 4400' 'flash_left = 1' # a build is known of RISC-V, too
+z budget --part esp32-c3 --elf tiny.elf --check limits
+is "a build for RISC-V" "$status $(grep -c '^ok ' stdout)" '0 2'
+budget --part esp32-c3 --elf tiny.elf
+is "in the table" "$(part_row esp32-c3 | cut -d' ' -f4) $(grep -c 'RISC-V' stdout)" \
+    "$((4096 * 1024 - ${want% *})) 0"
 
 # The Pico's image: code that is copied to RAM takes both
 begin a_build_with_code_in_ram
