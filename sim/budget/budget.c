@@ -191,7 +191,12 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
 static void print_flash(const struct budget_request *rq, const struct budget *b)
 {
     const struct budget_flash *m3 = &b->flash[BUDGET_M3], *m0 = &b->flash[BUDGET_M0];
-    printf("\nFlash, bytes, -O2      Cortex-M3      M0+%s\n", b->method->method ? "   without the method's own" : "");
+    const int method = b->method->method != NULL;
+    printf("\nFlash, bytes, -O2      Cortex-M3      M0+%s\n",
+           method && b->effects ? "   without the method's and the effects' own"
+           : method             ? "   without the method's own"
+           : b->effects         ? "   without the effects' own"
+                                : "");
     printf("  renderer        %8u %8u\n", m3->zstrip, m0->zstrip);
     printf("  libgcc, libc    %8u %8u\n", m3->library, m0->library);
     if (m3->panel)

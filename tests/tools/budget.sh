@@ -245,6 +245,17 @@ z budget --scene cubes --frame 7 --csv && frame7=$(csv draw_M3)
 z budget --scene cubes --csv
 [ "$frame7" != "$(csv draw_M3)" ] || wrong "--frame changes nothing"
 
+begin flash_says_what_it_is_without
+while IFS=, read -r options want; do
+    # shellcheck disable=SC2086
+    budget $options
+    is "$options" "$(sed -n 's/^Flash, bytes, -O2      Cortex-M3      M0+//p' stdout)" "$want"
+done <<'END'
+--scene cubes,
+--scene cubes --method painter,   without the method's own
+--scene stilllife,   without the effects' own
+END
+
 begin more_of_anything_takes_longer
 base="--size 240x240 --tris 2000 --verts 1200 --shade smooth"
 # shellcheck disable=SC2086
