@@ -39,7 +39,7 @@ void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const s
     ram->arena = zs_arena_bytes(c);
     ram->shared = method ? ram->tris - ZS_TRI_BYTES(budget_method_holds(method, c->max_tris)) : 0u;
     ram->renderer = RECORD_zs_renderer;
-    ram->scene = RECORD_zs_scene + RECORD_zs_camera + n_instances * RECORD_zs_instance;
+    ram->scene = RECORD_zs_scene + RECORD_zs_camera + RECORD_zs_config + n_instances * RECORD_zs_instance;
     ram->watch = (uint32_t)(ZS_STRIPS(c->height, rows) * 8u * (uint32_t)rq->watch);
     ram->track = rq->track ? 4u * ZS_DAMAGE_WORDS(rq->track, c->height, rows) : 0u;
     if (rq->o.panel.name != NULL) {

@@ -11,6 +11,7 @@ enum { RECORD_M0, RECORD_M3, RECORD_CPUS }; /* Armv6-M, Armv7-M; -O2 */
 /* Of one. */
 #define RECORD_panel 40u
 #define RECORD_zs_camera 88u
+#define RECORD_zs_config 28u
 #define RECORD_zs_instance 64u
 #define RECORD_zs_material 16u
 #define RECORD_zs_mesh 72u

@@ -42,8 +42,8 @@ structs() {
 #include "panel.h"
 #include "zstrip.h"
 #define SIZE(type) char size_of_##type[sizeof(struct type)];
-SIZE(zs_renderer) SIZE(zs_scene) SIZE(zs_camera) SIZE(zs_instance) SIZE(zs_mesh) SIZE(zs_material)
-SIZE(zs_texture) SIZE(panel)
+SIZE(zs_renderer) SIZE(zs_scene) SIZE(zs_camera) SIZE(zs_config) SIZE(zs_instance) SIZE(zs_mesh)
+SIZE(zs_material) SIZE(zs_texture) SIZE(panel)
 END
     ${ARM}gcc -std=c11 -mcpu="${1:-cortex-m3}" -mthumb -fno-common -Ifirmware/zstrip -Ihal -Ihal/panel \
         -c "$work/structs.c" -o "$work/structs.o" || exit 1
