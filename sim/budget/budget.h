@@ -91,6 +91,7 @@ struct budget {
     uint32_t samples; /* a pixel, 4; 0: one */
     int states;   /* flag: some instance has one */
     int guessed;  /* flag: counted is from numbers, not from a frame */
+    int clusters; /* flag: ZS_FAST_CLUSTERS is listed, as of every converted model */
     int effects;  /* flag: some material has a shader of effect/ */
     const struct sim_method *method; /* how hidden surfaces are removed */
 };

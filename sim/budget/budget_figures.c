@@ -76,6 +76,8 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
         add(flash, &record_texel_pal8[cpu]);
     if (b->texels & 4u)
         add(flash, &record_texel_pal4[cpu]);
+    if (b->clusters)
+        add(flash, &record_clusters[cpu]);
     if (rq->state || b->states)
         add(flash, &record_state[cpu]);
     if (rq->watch)

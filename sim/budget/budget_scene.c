@@ -225,6 +225,8 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
     struct sim_drawn_scene drawn = { .pass = piece != NULL && piece->n_passes > 0 ? piece->pass : &whole,
                                      .passes = piece != NULL && piece->n_passes > 0 ? piece->n_passes : 1u };
     const int status = count_scene(b, rq, d->name, &drawn);
+    for (const struct zs_fast *const *fast = d->fast; *fast != NULL; fast++)
+        b->clusters |= *fast == &zs_fast_clusters;
     for (uint32_t k = 0; k < drawn.passes; k++)
         b->effects |= has_effects(drawn.pass[k].scene);
     free(f);
@@ -255,6 +257,7 @@ static int count_drawn(void *ctx, const struct sim_drawn_scene *d)
     if (d->samples > 1)
         sim_effects_add_samples(&b->counted, (double)c->width * c->height / (double)d->samples);
     b->data = (uint32_t)d->data_bytes;
+    b->clusters = 1;
     b->effects = has_effects(d->scene);
     if (status == SIM_OK && b->effects && !of->rq->quiet)
         (void)fprintf(stderr,

@@ -118,6 +118,8 @@ static const struct record_bytes record_texel_pal4[RECORD_CPUS] = { { 772, 0 }, 
 static const struct record_bytes record_state[RECORD_CPUS] = { { 0, 0 }, { 0, 0 } };
 static const struct record_bytes record_watch[RECORD_CPUS] = { { 1140, 0 }, { 916, 0 } };
 static const struct record_bytes record_track[RECORD_CPUS] = { { 2652, 0 }, { 2312, 0 } };
+/* Clusters' accelerator, which the list of every converted model has. */
+static const struct record_bytes record_clusters[RECORD_CPUS] = { { 4000, 0 }, { 3334, 0 } };
 /* Poses turned, a camera that looks at a point. */
 static const struct record_bytes record_pose[RECORD_CPUS] = { { 1518, 0 }, { 1294, 0 } };
 

@@ -125,6 +125,8 @@ echo "static const struct record_bytes record_watch[RECORD_CPUS] = { $(more watc
      (void)zs_damage_compare(&renderer, &sums);' '') };"
 echo "static const struct record_bytes record_track[RECORD_CPUS] = { $(more track \
     '(void)zs_damage_track(&renderer, anything, 1);' '') };"
+echo "/* Clusters' accelerator, which the list of every converted model has. */"
+echo "static const struct record_bytes record_clusters[RECORD_CPUS] = { $(more clusters '' '' ' ZS_FAST_CLUSTERS,') };"
 echo "/* Poses turned, a camera that looks at a point. */"
 echo "static const struct record_bytes record_pose[RECORD_CPUS] = { $(more pose \
     'zs_pose_turn(&instance.pose, 1, 2, 3); (void)zs_camera_orbit(&camera, (int32_t *)anything, 10, 20, 30);

@@ -242,6 +242,20 @@ is "a triangle's mesh, material, instance and cluster" "$(csv flash_data)" \
     "$((72 + 16 + 64 + 3 * (6 + 6) + 6 + 20))"
 budget tri.obj --size 100x100 --shade flat --csv
 is "the same, flat" "$(csv flash_data)" "$((72 + 16 + 64 + 3 * 6 + 6 + 6 + 20))"
+for core in M0 M3; do # the lists of models have ZS_FAST_CLUSTERS, and flyover's
+    budget tri.obj --size 100x100 --shade flat --core $core --csv
+    model=$(csv flash_zstrip)
+    budget --size 100x100 --shade flat --core $core --csv
+    with=$(sed -n 's/.* record_clusters.* { { \([0-9]*\), 0 }, { \([0-9]*\), 0 } };/\1 \2/p' \
+        "$top/sim/budget/record_sizes.h")
+    [ $core = M3 ] && with=${with#* } || with=${with% *}
+    is "clusters' accelerator on $core" $((model - $(csv flash_zstrip))) "$with"
+done
+flat=$(csv flash_zstrip)
+budget --scene flyover --core M3 --csv
+is "of a scene that lists it" $(($(csv flash_zstrip) - flat)) "$with"
+budget --scene cubes --core M3 --csv
+is "of one that does not" $(($(csv flash_zstrip) - flat)) 0
 z budget --scene cubes --frame 7 --csv && frame7=$(csv draw_M3)
 z budget --scene cubes --csv
 [ "$frame7" != "$(csv draw_M3)" ] || wrong "--frame changes nothing"
