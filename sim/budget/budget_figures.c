@@ -68,7 +68,8 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
     const struct zs_depth *depth = b->config.depth;
     const int mapping = depth == &zs_depth_recip ? 1 : depth == &zs_depth_linear ? 2 : 0;
     memset(flash, 0, sizeof *flash);
-    add(flash, &record_flash[cpu][mapping][b->shades & 63u]);
+    const unsigned shades = b->shades & 63u; /* none: shaders of the scene's own alone, counted as raw */
+    add(flash, &record_flash[cpu][mapping][shades ? shades : 1u]);
     add(flash, &record_pose[cpu]);
     if (b->texels & 1u)
         add(flash, &record_texel_565[cpu]);

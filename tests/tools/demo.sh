@@ -131,6 +131,8 @@ look png tinted/tinted_001.png
 z budget --scene tinted.c --size 160x120 --part rp2040
 is "status of budget" $status 0
 grep -qE '^  M0 [0-9.]+ M, M3 [0-9.]+ M' stdout || wrong "no instructions: $(said)"
+[ "$(awk '/^Flash/ { on = 1 } on && $1 == "renderer" { print $2; exit }' stdout)" -gt 25000 ] ||
+    wrong "a renderer of $(grep '^  renderer' stdout | tail -1)"
 
 begin strips_of_any_height
 demo strip_24 --scene city --size 70x60 --frames 2
