@@ -166,8 +166,7 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
     printf("  arena           %8u  ZS_ARENA_BYTES of these\n", r->arena);
     printf("  renderer        %8u\n", r->renderer);
     printf("  scene state     %8u  scene, camera, zs_config, %u instance%s\n", r->scene, b->n_instances,
-           b->n_instances == 1 ? ""
-           : "s");
+           b->n_instances == 1 ? "" : "s");
     if (r->panel)
         printf("  panel           %8u  and %u to convert pixels in\n", r->panel, r->scratch);
     if (r->watch)
