@@ -44,7 +44,8 @@ static const struct sim_option table[] = {
       .help = "instances that zs_damage_track compares (0: not linked)" },
     { "Scene: a demo scene or a model, drawn here and counted, or else numbers", SIM_OPTION_HEADING },
     { "--scene", SIM_OPTION_TEXT, AT(scene),
-      .help = "a demo or bench scene; zsim demo --help lists them; or a scene's own file: my_scene.c" },
+      .help = "a demo or bench scene; zsim demo --help lists them; or a scene's own file: my_scene.c, several in "
+              "quotes: 'scene.c thing.c'" },
     { "--frame", SIM_OPTION_COUNT, AT(frame), 0, 0, 65535, .value = "T", .help = "frame of its animation (0)" },
     { "MODEL", SIM_OPTION_WORD, .help = "a file, as of zsim render, and for it:" },
     { "--eye", SIM_OPTION_VECTOR, AT(o.eye), AT(o.has_eye), .help = "" },
@@ -82,7 +83,7 @@ static const struct sim_option table[] = {
     { "Part", SIM_OPTION_HEADING },
     { "--part", SIM_OPTION_TEXT, AT(part), .help = "the figures of one part. There are:", .list = budget_part_list },
     { "--core", SIM_OPTION_CHOICE, AT(core), AT(has_core), .words = "M0|M3|M4|M7|rv32imc|RP2040",
-      .help = "the core of another part" },
+      .help = "the core of another part; of M33 and M55 take M4, of M23 M0, of M85 M7" },
     { "--mhz", SIM_OPTION_NUMBER, AT(mhz), AT(has_mhz), 0.001, 10000, .help = "its clock, or another one for --part" },
     { "--cpi", SIM_OPTION_NUMBER, AT(cpi), AT(has_cpi), 0.01, 100,
       .help =
@@ -439,12 +440,39 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
 /* ---- Command line
  * -------------------------------------------------------------------------------------------------------- */
 
+static int is_source(const char *name)
+{
+    const size_t n = strlen(name);
+    return n > 2 && strcmp(name + n - 2, ".c") == 0;
+}
+
+/* Of cores that costs do not know the nearest one is named. */
+static int know_core(const char *option, const char *next)
+{
+    static const struct {
+        const char *core, *nearest;
+    } like[] = { { "M0+", "M0" }, { "M23", "M0" }, { "M33", "M4" }, { "M55", "M4" }, { "M85", "M7" } };
+    const char *const core = strcmp(option, "--core") == 0           ? next
+                             : strncmp(option, "--core=", 7) == 0 ? option + 7
+                                                                  : NULL;
+    for (size_t i = 0; core && i < sizeof like / sizeof like[0]; i++)
+        if (strcmp(core, like[i].core) == 0)
+            return sim_usage("--core wants %s, not '%s'; take %s", sim_option_find(table, N_TABLE, "--core")->words,
+                             core, like[i].nearest);
+    return SIM_OK;
+}
+
 static int take(struct budget_request *rq, char seen[N_TABLE], int argc, char **argv)
 {
     int status = SIM_OK;
     for (int i = 0; status == SIM_OK && i < argc; i++) {
-        if (argv[i][0] == '-' && argv[i][1] != '\0')
-            status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
+        if (argv[i][0] == '-' && argv[i][1] != '\0') {
+            status = know_core(argv[i], i + 1 < argc ? argv[i + 1] : NULL);
+            if (status == SIM_OK)
+                status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
+        } else if (rq->scene != NULL && is_source(rq->scene) && is_source(argv[i]))
+            status = sim_usage("%s: files of one scene are in quotes, as in --scene \"%s %s\"", argv[i], rq->scene,
+                               argv[i]);
         else if (rq->o.model != NULL)
             status = sim_usage("one model at a time: '%s' is one too many", argv[i]);
         else

@@ -308,8 +308,8 @@ static int adopt(const struct workshop *w, const char *name, const char *library
     if (handle == NULL) {
         const char *why = dlerror(), *undefined = strstr(why, "undefined symbol: ");
         return undefined == NULL ? sim_refuse(name, 0, "cannot be loaded: %s", why)
-                                 : sim_refuse(name, 0, "%s; name the file that has it, too, as in 'scene.c thing.c'",
-                                              undefined);
+                                 : sim_refuse(name, 0, "%s; name the file that has it, too, as in view scene.c "
+                                              "thing.c or, in quotes, --scene \"scene.c thing.c\"", undefined);
     }
     const struct show *its = dlsym(handle, "show");
     const struct demo *demo = its != NULL ? its->demo : NULL;

@@ -669,6 +669,15 @@ done
 no clock 2 '--mhz is for a --part or a --core, which is missing' --mhz 50
 no both 2 '--scene and a model' tri.obj --scene cubes
 no two 2 'one model at a time' tri.obj tri.obj
+no files 2 "ring.c: files of one scene are in quotes, as in --scene \"lit.c ring.c\"" --scene lit.c ring.c
+for near in M23:M0 M33:M4 M55:M4 M85:M7; do
+    core=${near%:*}
+    no "near_$core" 2 "--core wants M0|M3|M4|M7|rv32imc|RP2040, not '$core'; take ${near#*:}" --core "$core"
+    no "near_is_$core" 2 "not '$core'; take ${near#*:}" "--core=$core"
+done
+cp "$top/firmware/app/my_scene.c" mine.c && echo 'int ring;' >ring.c
+begin files_of_one_scene_in_quotes
+budget --scene 'mine.c ring.c'
 no spi 2 '--spi is for a --panel' --spi 1000000
 no unknown 2 "unknown option '--rows'" --rows 3
 no word 2 '--shade wants id|flat' --shade metal

@@ -325,7 +325,7 @@ one_line 1 'it ends with SHOW'
 sed 's/\.mesh = &pyramid/.mesh = \&other/
     s/^static const struct zs_material grey/extern const struct zs_mesh other;\n&/' kept.c >two.c
 z view two.c
-one_line 1 'undefined symbol: other; name the file that has it, too'
+one_line 1 'other; name the file that has it, too, as in view scene.c thing.c or, in quotes, --scene "scene.c thing.c"'
 z view two.c --scene cubes
 one_line 2 'leave one out'
 CC=no-such-compiler z view kept.c
