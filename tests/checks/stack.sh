@@ -36,12 +36,13 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     case $2 in bare-*) return ;; esac
     copy "$2-share"
     bound "$2-share" '' "$(echo "$empty,$none" | sed 's/^-,//')"
-    for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort \
+    for method in painter_sort_farthest hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort \
         raycast_rays_ray.nodes_sort; do
         copy "$2-${method%%_*}"
         bound "$2-${method%%_*}" "$method" "$(echo "$empty,$none" | sed 's/^-,//; s/zs_method.begin,//')"
     done
-    for method in layers_sort depthsort_coverage_order_newell_pieces_order.depth_sort raycast_rays_ray.nodes_sort; do
+    for method in layers_sort_farthest depthsort_coverage_order_newell_pieces_order.depth_sort \
+        raycast_rays_ray.nodes_sort; do
         copy "$2-effects-${method%%_*}"
         bound "$2-effects-${method%%_*}" "$method" "$(echo "$empty,zs_shader.place" | sed 's/^-,//')"
     done
@@ -58,8 +59,8 @@ copy() { # NAME: a folder of all objects
 # A renderer has one method, so each is bound by itself, and the usual one, the depth buffer, without them.
 bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _ between, and . for _ in a name
     gone=
-    for m in painter sort hiz hiz.bounds depthsort coverage order newell pieces order.depth raycast rays ray.nodes \
-        layers; do
+    for m in painter sort farthest hiz hiz.bounds depthsort coverage order newell pieces order.depth raycast rays \
+        ray.nodes layers; do
         case $m in *.*) file=${m%.*}_${m#*.} ;; *) file=$m ;; esac
         case _${2}_ in *_"$m"_*) ;; *) gone="$gone $dir/method_$file.* $dir/effect_$file.*" ;; esac
     done
