@@ -83,6 +83,7 @@ for f in firmware/zstrip/*.h firmware/zstrip/*/*.[ch] hal/panel/*.[ch]; do
     cat "$f"
 done >"$B/words.c"
 words=$(${ARM}gcc -fpreprocessed -dD -E -P "$B/words.c" | awk -v words="$WORDS" '
+    /^#define ZS_DEPTH_EACH\(X\) / { sub(/X\(float, /, "X(") } # where the mapping zs_depth_float has its name
     $1 == "words_of" { file = $0; gsub(/words_of| /, "", file); n++; next }
     $0 ~ words "|[0-9][.][0-9]*f?([^A-Za-z0-9_\"]|$)" && !/"[^"]*[0-9]\.[^"]*"/ { gsub(/ /, "_"); print file ":" $0 }
     END { if (n < 100) print "files:" n + 0 }')
