@@ -170,7 +170,7 @@ END
 built package_esp_idf_component idf -DZSTRIP_VARYINGS_MAX=5
 grep -rqs -- '-DZS_VARYINGS_MAX=5' idf/build && ok package_esp_idf_has_varyings ||
     bad package_esp_idf_has_varyings 'ZSTRIP_VARYINGS_MAX=5 does nothing'
-# For a part without an operating system nothing is position-independent: there is no place for the table that needs
+# A firmware has no place for the table that position-independent code reads
 cmake -S "$zs" -B bare -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_C_FLAGS='-mcpu=cortex-m33 -mthumb' -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >bare.log 2>&1 &&
@@ -178,6 +178,7 @@ cmake -S "$zs" -B bare -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-e
         sh -c "$(sed -n 's/^ *"command": "\(.*texture_v7m.c\)",*$/\1/p' compile_commands.json)") >bare.log 2>&1 &&
     : >bare.log
 grep -q -- -fPIC bare/compile_commands.json && echo 'position-independent' >>bare.log
+grep -q '"command": .*texture_v7m.c",*$' bare/compile_commands.json || echo 'nothing was compiled' >>bare.log
 verdict package_cmake_for_a_microcontroller bare.log
 cat >pico/CMakeLists.txt <<END
 cmake_minimum_required(VERSION 3.14)
